@@ -21,14 +21,17 @@ import org.jspecify.annotations.Nullable;
  * {@snippet :
  * var space = ActorSpace.create(SpaceSettings.named("ship"));
  * var broker = Broker.open(space, BrokerSettings.defaults());
- * var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
+ * var services = broker.services();
  * services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
  * var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter")).actor();
  * show(greeter.greet("Ada").get(Duration.ofSeconds(10)));
  * }
  *
- * <p><b>Role.</b> Create one per broker and process. Actors that are published here can be called through
- * {@link #connect} of the same object. An actor can be publisher and subscriber at the same time.
+ * <p><b>Role.</b> One per broker: {@link Broker#services}. Actors that are published here can be called through
+ * {@link #connect} of the same object, and if the broker has a bus, through that of other processes. An actor can be
+ * publisher and subscriber at the same time. A connection that is created outside every actor space is on the space of
+ * the broker. The observer of the broker's settings receives events about calls that were not delivered, and about late
+ * answers.
  *
  * <p><b>Threads.</b> Any thread.
  *
@@ -36,6 +39,12 @@ import org.jspecify.annotations.Nullable;
  * It detects a space that hangs or is far behind, but only if the broker runs on another space: a broker on the same
  * space hangs with it. An actor that stops, for whatever cause, is detected at once on every space. An actor whose
  * message throws continues and stays healthy, unless its {@link ActorSettings} make it stop.
+ *
+ * <p>With a bus, methods that publish throw an {@link IllegalArgumentException} if another process cannot call the
+ * actor: it has to be published by an interface whose methods return {@code void} or {@link Promise}, or suspend, and
+ * whose parameters and results are values, or {@link io.troupe.actor.Callback}s of values. Each actor that runs takes a
+ * port of the bus with its name. An exception of an actor arrives in another process as a
+ * {@link io.troupe.bus.RemoteFailure}. A one-way call that does not arrive is reported to the observer of the bus.
  *
  * <p><b>Source.</b> Paper, section 1: actors that expose services, each a publisher and a subscriber.
  */
@@ -57,18 +66,8 @@ public final class ActorServices {
     private final AtomicLong callers = new AtomicLong();
     private final ConcurrentMap<String, Integer> published = new ConcurrentHashMap<>();
 
-    /**
-     * Creates the actor services of one process.
-     *
-     * @param node the name of this process, used in addresses
-     * @param home the space of connections that are created outside every actor space
-     * @param observer receives events about calls that were not delivered, and about late answers
-     */
-    public ActorServices(Broker broker, String node, ActorSpace home, BrokerObserver observer) {
-        this(broker, node, home, observer, null);
-    }
-
-    private ActorServices(Broker broker, String node, ActorSpace home, BrokerObserver observer, @Nullable Bus bus) {
+    /** @param home the space of connections that are created outside every actor space */
+    ActorServices(Broker broker, String node, ActorSpace home, BrokerObserver observer, @Nullable Bus bus) {
         this.bus = bus;
         this.actors = new LocalActors(bus, interfaces);
         this.broker = Objects.requireNonNull(broker, "broker");
@@ -77,52 +76,23 @@ public final class ActorServices {
         this.observer = Objects.requireNonNull(observer, "observer");
     }
 
-    /**
-     * Creates the actor services of one process whose actors are services for other processes, too, and which finds
-     * theirs.
-     *
-     * {@snippet :
-     * var bus = Bus.open("ship", engine, BusSettings.on(space));
-     * var broker = Broker.open(space, BrokerSettings.defaults());
-     * var services = ActorServices.over(bus, broker, space, BrokerObserver.logging());
-     * services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
-     * }
-     *
-     * <p><b>Role.</b> Once per bus: it takes the port {@code broker}, and a port with the name of each actor that runs.
-     * The broker registers what the brokers of other processes offer; each starts only providers of its process. Of
-     * providers that are equally healthy it chooses the one with the least rank, then the one whose node's name comes
-     * first, then the one that was registered first, in every process alike.
-     *
-     * <p><b>Errors.</b> Methods that publish throw an {@link IllegalArgumentException} if another process cannot call
-     * the actor: it has to be published by an interface whose methods return {@code void} or {@link Promise}, or
-     * suspend, and whose parameters and results are values, or {@link io.troupe.actor.Callback}s of values. An
-     * exception of an actor arrives in another process as a {@link io.troupe.bus.RemoteFailure}. A one-way call that
-     * does not arrive is reported to the observer of the bus.
-     *
-     * <p>A process that has not renewed its offers for 3 s is suspect, and after 10 s its providers are withdrawn.
-     * Requests to the broker of another process have three quarters of the limits in this broker's settings.
-     *
-     * @param home the space of connections that are created outside every actor space
-     * @param observer receives events about calls that were not delivered, and about late answers
-     */
-    public static ActorServices over(Bus bus, Broker broker, ActorSpace home, BrokerObserver observer) {
-        return over(bus, broker, home, observer, 0);
+    /** The actors of this process from now on are offered to others. */
+    void exchangeBy(Exchange newExchange) {
+        exchange = newExchange;
+        others.setOnDoubt(newExchange);
     }
 
-    /** The same with a rank of the providers of this process: the lower, the earlier they are chosen among equals. */
-    public static ActorServices over(Bus bus, Broker broker, ActorSpace home, BrokerObserver observer, int rank) {
-        var services = new ActorServices(broker, bus.node(), home, observer, bus);
-        var port = bus.attach(OfferMessages.PORT);
-        var context = new OfferedProvider.Context(bus, port, broker.settings(), services.others);
-        Exchange exchange = broker.exchangeOffers(context, services.actors, rank);
-        services.exchange = exchange;
-        services.others.setOnDoubt(exchange);
-        return services;
+    LocalActors actors() {
+        return actors;
+    }
+
+    RemoteActors others() {
+        return others;
     }
 
     /**
-     * Publishes an actor that the broker spawns on demand. Its address is the service's name, with a number appended
-     * from the second actor of the same service on.
+     * Publishes an actor that the broker spawns on demand. Its address is the service's name, from the second actor of
+     * the same service on with a number, as {@code camera#2}.
      *
      * @param space where it runs
      * @param type an actor type; clients connect by this interface or one that it extends
@@ -212,7 +182,7 @@ public final class ActorServices {
     public Promise<List<ServiceOffer>> offers(Duration limit) {
         Exchange others = exchange;
         if (others == null) {
-            throw new IllegalStateException("these services have no bus: use ActorServices.over");
+            throw new IllegalStateException("these services have no bus: use Broker.over");
         }
         return others.offers(limit);
     }
@@ -246,14 +216,14 @@ public final class ActorServices {
         others.doubt(actor);
     }
 
-    /** The name of a service is a part of its address. */
+    /** The name of a service is a part of its address; numbers and the names of our ports have other characters. */
     private Address nextAddress(String service) {
-        if (service.isBlank() || service.chars().anyMatch(c -> c == '/' || Character.isISOControl(c))) {
+        if (service.isBlank() || service.chars().anyMatch(c -> "/#$".indexOf(c) >= 0 || Character.isISOControl(c))) {
             throw new IllegalArgumentException("the name of a service is \"" + service
-                    + "\", expected a name without a slash and without control characters");
+                    + "\", expected a name without / # $ and control characters");
         }
         int number = published.merge(service, 1, Integer::sum);
-        return new Address(node, number == 1 ? service : service + "-" + number);
+        return new Address(node, number == 1 ? service : service + "#" + number);
     }
 
     private static ActorSettings named(Address address) {

@@ -5,8 +5,12 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
 import io.troupe.actor.Promise;
 import io.troupe.bus.Address;
+import io.troupe.bus.Bus;
+import io.troupe.bus.BusPort;
+import java.security.SecureRandom;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -48,34 +52,73 @@ public final class Broker implements AutoCloseable {
     }
 
     private final BrokerActor actor;
-    private final ActorSpace space;
-    private final BrokerSettings settings;
+    private final ActorServices services;
 
-    private Broker(BrokerActor actor, ActorSpace space, BrokerSettings settings) {
-        this.actor = actor;
-        this.space = space;
-        this.settings = settings;
-    }
-
-    /** Opens a broker on that space, with an empty registry. */
-    public static Broker open(ActorSpace space, BrokerSettings settings) {
+    private Broker(String node, ActorSpace space, BrokerSettings settings, @Nullable Bus bus) {
         Objects.requireNonNull(settings, "settings");
-        return new Broker(
-                space.spawn(BrokerActor.class, () -> new BrokerActor(space, settings), ActorSettings.named("broker")),
-                space,
-                settings);
+        this.actor =
+                space.spawn(BrokerActor.class, () -> new BrokerActor(space, settings), ActorSettings.named("broker"));
+        this.services = new ActorServices(this, node, space, settings.observer(), bus);
     }
 
-    /** Begins to exchange offers with the brokers of other processes. */
-    ActorServices.Exchange exchangeOffers(OfferedProvider.Context context, LocalActors actors, int rank) {
-        return space.spawn(
+    /**
+     * Opens a broker on that space, with an empty registry. The name of the space is that of this process in the
+     * addresses of actors.
+     */
+    public static Broker open(ActorSpace space, BrokerSettings settings) {
+        return open(space.toString(), space, settings);
+    }
+
+    /**
+     * Opens a broker on that space, with an empty registry.
+     *
+     * @param node the name of this process in the addresses of actors
+     */
+    public static Broker open(String node, ActorSpace space, BrokerSettings settings) {
+        return new Broker(node, space, settings, null);
+    }
+
+    /**
+     * Opens a broker that exchanges offers with the brokers of other processes on a bus: it registers what they offer,
+     * and each starts only the providers of its process.
+     *
+     * {@snippet :
+     * var bus = Bus.open("ship", engine, BusSettings.on(space));
+     * var broker = Broker.over(bus, space, BrokerSettings.defaults());
+     * var services = broker.services();
+     * services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
+     * }
+     *
+     * <p><b>Role.</b> Once per bus, or once per group ({@link Sharing#withGroup}). Of providers that are equally
+     * healthy it chooses the one with the least rank, then the one whose node's name comes first, then the one that was
+     * registered first, in every process alike.
+     *
+     * <p><b>Errors.</b> A process that has not renewed its offers for 3 s is suspect, and after 10 s its providers are
+     * withdrawn. Requests to the broker of another process have three quarters of the limits of the settings.
+     */
+    public static Broker over(Bus bus, ActorSpace space, BrokerSettings settings) {
+        return over(bus, space, settings, Sharing.defaults());
+    }
+
+    /** The same, with a rank or in a group. */
+    public static Broker over(Bus bus, ActorSpace space, BrokerSettings settings, Sharing sharing) {
+        var messages = new OfferMessages(sharing.group());
+        BusPort port = bus.attach(messages.port);
+        var broker = new Broker(bus.node(), space, settings, bus);
+        long incarnation = new SecureRandom().nextLong(1, 1L << 53); // exact in every language
+        ActorServices services = broker.services;
+        var context =
+                new OfferedProvider.Context(bus, port, settings, sharing, services.others(), messages, incarnation);
+        services.exchangeBy(space.spawn(
                 ActorServices.Exchange.class,
-                () -> new OfferExchange(context, actor, actors, rank),
-                ActorSettings.named("broker's offers"));
+                () -> new OfferExchange(context, broker.actor, services.actors()),
+                ActorSettings.named("broker's offers")));
+        return broker;
     }
 
-    BrokerSettings settings() {
-        return settings;
+    /** The actors of this process that are services, and connections to services. */
+    public ActorServices services() {
+        return services;
     }
 
     /**
@@ -89,7 +132,18 @@ public final class Broker implements AutoCloseable {
      */
     public Promise<ServiceRecord> register(
             String service, List<String> capabilities, Address address, Provider provider) {
-        return actor.register(service, List.copyOf(capabilities), address, provider);
+        return actor.register(service, List.copyOf(capabilities), address, ManagedProvider.Source.of(provider));
+    }
+
+    /**
+     * The same with a provider that has an object for each of its lives. No life begins before all earlier ones have
+     * been stopped; if one cannot be stopped, the start is rejected, and the next start tries it again.
+     *
+     * @param lives creates the provider of the next life, on the broker's space
+     */
+    public Promise<ServiceRecord> register(
+            String service, List<String> capabilities, Address address, Supplier<? extends Provider> lives) {
+        return actor.register(service, List.copyOf(capabilities), address, ManagedProvider.Source.of(lives));
     }
 
     /**
@@ -115,7 +169,25 @@ public final class Broker implements AutoCloseable {
      */
     public Promise<ServiceRecord> replace(
             Address old, String service, List<String> capabilities, Address address, Provider provider) {
-        return actor.replace(old, service, List.copyOf(capabilities), address, provider);
+        return actor.replace(old, service, List.copyOf(capabilities), address, ManagedProvider.Source.of(provider));
+    }
+
+    /** The same with a provider that has an object for each of its lives. */
+    public Promise<ServiceRecord> replace(
+            Address old,
+            String service,
+            List<String> capabilities,
+            Address address,
+            Supplier<? extends Provider> lives) {
+        return actor.replace(old, service, List.copyOf(capabilities), address, ManagedProvider.Source.of(lives));
+    }
+
+    /**
+     * The same with a provider that another process offers and that is not in use. It is registered for that service
+     * only.
+     */
+    public Promise<ServiceRecord> replace(Address old, String service, List<String> capabilities, Address offered) {
+        return actor.replaceByOffered(old, service, List.copyOf(capabilities), offered);
     }
 
     /** All registered providers, in the order of registration. */

@@ -6,11 +6,11 @@ import io.troupe.actor.Callback;
 import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.bus.Address;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,6 +24,7 @@ class BrokerActor extends Actor {
     private final ConnectedClients clients;
     private @Nullable Promise<List<ServiceRecord>> shutDown;
     private Runnable changed = () -> {};
+    private final Map<Address, OfferedProvider> elsewhere = new HashMap<>(); // all that other processes offer
 
     BrokerActor(ActorSpace space, BrokerSettings settings) {
         var timeouts = new Timeouts((delay, task) -> context().after(delay, task));
@@ -33,9 +34,9 @@ class BrokerActor extends Actor {
     }
 
     public Promise<ServiceRecord> register(
-            String service, List<String> capabilities, Address address, Provider provider) {
+            String service, List<String> capabilities, Address address, ManagedProvider.Source provider) {
         checkOpen();
-        var registration = new Registration(service, capabilities, address, provider, context);
+        var registration = new ManagedProvider(service, capabilities, address, provider, context);
         registry.add(registration);
         events.publish(new BrokerEvent.Registered(registration.toRecord()));
         clients.retry(registration::meets);
@@ -44,23 +45,19 @@ class BrokerActor extends Actor {
 
     public Promise<@Nullable Void> withdraw(Address provider) {
         checkOpen();
-        Registration registration = registry.known(provider);
+        ManagedProvider registration = registry.known(provider);
         registry.remove(registration);
         events.publish(new BrokerEvent.Withdrawn(registration.toRecord()));
-        return leave(registration, () -> clients.leave(registration));
-    }
-
-    private Promise<@Nullable Void> leave(Registration registration, Supplier<Promise<?>> notifyClients) {
-        return registration.leave(notifyClients, () -> registry.forget(registration));
+        return registration.leave(() -> clients.leave(registration));
     }
 
     public Promise<ServiceRecord> replace(
-            Address old, String service, List<String> capabilities, Address address, Provider provider) {
+            Address old, String service, List<String> capabilities, Address address, ManagedProvider.Source provider) {
         checkOpen();
-        Registration before = registry.known(old);
+        ManagedProvider before = registry.known(old);
         before.checkNotBeingReplaced();
         registry.checkFree(address, old);
-        var by = new Registration(service, capabilities, address, provider, context);
+        var by = new ManagedProvider(service, capabilities, address, provider, context);
         registry.reserve(by);
         before.setBeingReplaced(true);
         var done = new Deferred<ServiceRecord>();
@@ -81,11 +78,39 @@ class BrokerActor extends Actor {
         return done;
     }
 
-    private Promise<@Nullable Void> takeOver(Registration before, Registration by) {
+    /** The same with a provider that another process offers. */
+    public Promise<ServiceRecord> replaceByOffered(
+            Address old, String service, List<String> capabilities, Address address) {
+        checkOpen();
+        registry.known(old).checkNotBeingReplaced();
+        OfferedProvider provider = elsewhere.get(address);
+        if (provider == null) {
+            throw new IllegalArgumentException(
+                    "no other process offers " + address + "; offered: " + elsewhere.keySet());
+        }
+        ManagedProvider idle =
+                registry.at(address).filter(each -> !each.address.equals(old)).orElse(null);
+        if (idle == null) {
+            return replace(old, service, capabilities, address, ManagedProvider.Source.of(provider));
+        }
+        if (idle.isInUse()) {
+            throw new IllegalArgumentException(address + " is in use, expected a provider that is not");
+        }
+        registry.drop(idle);
+        return replace(old, service, capabilities, address, ManagedProvider.Source.of(provider))
+                .exceptionallyCompose(error -> {
+                    if (!context.isClosing() && elsewhere.get(address) == provider) {
+                        registry.add(idle);
+                    }
+                    return Promise.failed(error);
+                });
+    }
+
+    private Promise<@Nullable Void> takeOver(ManagedProvider before, ManagedProvider by) {
         Promise<@Nullable Void> withdrawn = before.whenGone();
         registry.put(by, before);
         events.publish(new BrokerEvent.Replaced(before.toRecord(), by.toRecord()));
-        Promise<@Nullable Void> stopped = withdrawn != null ? withdrawn : leave(before, () -> clients.move(before, by));
+        Promise<@Nullable Void> stopped = withdrawn != null ? withdrawn : before.leave(() -> clients.move(before, by));
         clients.retry(by::meets);
         return stopped;
     }
@@ -96,7 +121,7 @@ class BrokerActor extends Actor {
 
     public Promise<List<ServiceRecord>> find(Need need) {
         return Promise.of(
-                registry.meeting(need).stream().map(Registration::toRecord).toList());
+                registry.meeting(need).stream().map(ManagedProvider::toRecord).toList());
     }
 
     public Promise<ServiceRecord> require(Need need) {
@@ -129,11 +154,10 @@ class BrokerActor extends Actor {
     /**
      * The providers of this process are offered to others.
      *
-     * @param localRank their rank among those of other processes
      * @param onChange is called when they may have changed
      */
-    public void share(String node, int localRank, Runnable onChange) {
-        registry.share(node, localRank);
+    public void share(String node, Sharing sharing, Runnable onChange) {
+        registry.share(node, sharing);
         changed = onChange;
         events.setOnEvent(onChange);
     }
@@ -151,16 +175,30 @@ class BrokerActor extends Actor {
     /** Starts a provider of this process unless it runs. */
     public Promise<Offering> startAt(Address provider) {
         checkOpen();
-        Registration registration = registry.known(provider);
-        if (registration.isOffered()) {
+        ManagedProvider registration = registry.known(provider);
+        if (registration.offered() != null) {
             throw new IllegalArgumentException(provider + " is not a provider of this process");
         }
         return registration.start().thenApply(started -> new Offering(registration.toRecord(), registration.life()));
     }
 
+    /** Stops a provider of this process, unless a later life runs. */
+    public Promise<@Nullable Void> stopAt(Address provider, long life) {
+        ManagedProvider registration = registry.known(provider);
+        return life == 0 || life == registration.life() ? registration.stop() : Promise.done();
+    }
+
+    /** Stops a provider of this process if it runs, because it is not used any more. */
+    public void stopUnused(Address provider, String why) {
+        registry.at(provider).filter(ManagedProvider::isInUse).ifPresent(unused -> {
+            events.publish(new BrokerEvent.Unused(unused.toRecord(), why));
+            unused.stop().handle((stopped, error) -> null); // a failure is an event
+        });
+    }
+
     /** The health of a life of a provider of this process; rejected if that life has ended. */
     public Promise<Health> healthOf(Address provider, long life) {
-        Registration registration = registry.known(provider);
+        ManagedProvider registration = registry.known(provider);
         if (!registration.isRunning() || registration.life() != life) {
             throw new ProviderException("life " + life + " of " + provider + " has ended", registration.why());
         }
@@ -178,8 +216,17 @@ class BrokerActor extends Actor {
                 .ifPresent(each -> each.start().handle((started, error) -> null)); // a failure is an event
     }
 
+    /** Another process offers a provider. One that this process has registered itself at that address counts more. */
+    public void offer(String service, List<String> capabilities, OfferedProvider provider) {
+        elsewhere.put(provider.address(), provider);
+        if (!context.isClosing() && registry.isFree(provider.address())) {
+            register(service, capabilities, provider.address(), ManagedProvider.Source.of(provider));
+        }
+    }
+
     /** Another process does not offer a provider any more. */
-    public void withdrawOffered(Provider provider) {
+    public void withdrawOffered(OfferedProvider provider) {
+        elsewhere.remove(provider.address(), provider);
         registry.of(provider)
                 .filter(each -> !context.isClosing())
                 .ifPresent(each -> withdraw(each.address).handle((stopped, error) -> null));
@@ -188,15 +235,15 @@ class BrokerActor extends Actor {
     // ---- choosing a provider
 
     private void choose(
-            Need need, boolean evenFailed, Consumer<Registration> found, Consumer<MissingServiceException> none) {
+            Need need, boolean evenFailed, Consumer<ManagedProvider> found, Consumer<MissingServiceException> none) {
         tryNext(need, evenFailed, new LinkedHashMap<>(), found, none);
     }
 
     private void tryNext(
             Need need,
             boolean evenFailed,
-            Map<Registration, Throwable> tried,
-            Consumer<Registration> found,
+            Map<ManagedProvider, Throwable> tried,
+            Consumer<ManagedProvider> found,
             Consumer<MissingServiceException> none) {
         var best = registry.best(need, each -> !tried.containsKey(each) && (evenFailed || each.mayBeTried()));
         if (context.isClosing()) {
@@ -205,10 +252,10 @@ class BrokerActor extends Actor {
         }
         if (best.isEmpty()) {
             none.accept(registry.missing(need, tried));
-            registry.meeting(need).forEach(Registration::considerRestart);
+            registry.meeting(need).forEach(ManagedProvider::considerRestart);
             return;
         }
-        Registration registration = best.get();
+        ManagedProvider registration = best.get();
         if (registration.isRunning()) {
             found.accept(registration);
             return;
@@ -229,24 +276,29 @@ class BrokerActor extends Actor {
     /** Passes starts and failures of providers on to the clients. */
     private final class ToClients implements BrokerContext.Listener {
         @Override
-        public List<Registration> predecessors(Registration registration) {
+        public List<ManagedProvider> predecessors(ManagedProvider registration) {
             return registry.predecessors(registration);
         }
 
         @Override
-        public void onStarted(Registration registration) {
+        public void onStarted(ManagedProvider registration) {
             if (registry.has(registration)) {
                 clients.retry(registration::meets);
             }
         }
 
         @Override
-        public void onFailed(Registration registration) {
+        public void onFailed(ManagedProvider registration) {
             clients.leave(registration);
         }
 
         @Override
-        public boolean isWanted(Registration registration) {
+        public void onGone(ManagedProvider registration) {
+            registry.forget(registration);
+        }
+
+        @Override
+        public boolean isWanted(ManagedProvider registration) {
             return registry.has(registration) && clients.waitFor(registration);
         }
     }
@@ -268,9 +320,9 @@ class BrokerActor extends Actor {
     }
 
     /** Stops the providers of the list one by one, the last first. */
-    private void stopLast(List<Registration> rest, Deferred<List<ServiceRecord>> done) {
+    private void stopLast(List<ManagedProvider> rest, Deferred<List<ServiceRecord>> done) {
         if (rest.isEmpty()) {
-            done.resolve(context.begun().stream().map(Registration::toRecord).toList());
+            done.resolve(context.begun().stream().map(ManagedProvider::toRecord).toList());
         } else {
             rest.getLast().stop().handle((stopped, error) -> {
                 stopLast(rest.subList(0, rest.size() - 1), done);

@@ -9,21 +9,25 @@ final class BrokerContext {
     /** What starts and failures mean for the clients and the other registrations of the broker. */
     interface Listener {
         /** Withdrawn or replaced providers that have to stop before this one is started. */
-        List<Registration> predecessors(Registration registration);
+        List<ManagedProvider> predecessors(ManagedProvider registration);
 
-        void onStarted(Registration registration);
+        void onStarted(ManagedProvider registration);
 
-        void onFailed(Registration registration);
+        void onFailed(ManagedProvider registration);
+
+        /** A withdrawn or replaced provider has stopped, or the limit of its stop is over. */
+        void onGone(ManagedProvider registration);
 
         /** Returns whether a connection waits for this provider. */
-        boolean isWanted(Registration registration);
+        boolean isWanted(ManagedProvider registration);
     }
 
     final BrokerSettings settings;
     final Timeouts timeouts;
     final EventPublisher events;
     final Listener listener;
-    private final Set<Registration> begun = new LinkedHashSet<>(); // those that may run, in the order of their starts
+    private final Set<ManagedProvider> begun =
+            new LinkedHashSet<>(); // those that may run, in the order of their starts
     private boolean closing;
 
     BrokerContext(BrokerSettings settings, Timeouts timeouts, EventPublisher events, Listener listener) {
@@ -33,7 +37,7 @@ final class BrokerContext {
         this.listener = listener;
     }
 
-    void setMayRun(Registration registration, boolean mayRun) {
+    void setMayRun(ManagedProvider registration, boolean mayRun) {
         begun.remove(registration);
         if (mayRun) {
             begun.add(registration);
@@ -41,13 +45,13 @@ final class BrokerContext {
     }
 
     /** Providers that may run, in the order of their starts. */
-    List<Registration> begun() {
+    List<ManagedProvider> begun() {
         return List.copyOf(begun);
     }
 
     void beginClosing() {
         closing = true;
-        begun.forEach(Registration::cancelTimers);
+        begun.forEach(ManagedProvider::cancelTimers);
     }
 
     boolean isClosing() {

@@ -72,6 +72,12 @@ public sealed interface BrokerEvent {
     /** A one-way call through a connection was not delivered to any provider. */
     record Undelivered(Need need, String call, Throwable why) implements BrokerEvent {}
 
+    /**
+     * The process that had a provider of this process started is gone or silent, and the provider runs only for others
+     * ({@link Sharing#withUnusedStopped}): it is stopped.
+     */
+    record Unused(ServiceRecord provider, String why) implements BrokerEvent {}
+
     /** The broker's space was closed before the broker. The provider may still run. */
     record Abandoned(ServiceRecord provider) implements BrokerEvent {}
 }

@@ -21,7 +21,7 @@ final class ConnectedClients {
     /** Chooses a running provider; calls back at once if it is known. */
     interface Chooser {
         void choose(
-                Need need, boolean evenFailed, Consumer<Registration> found, Consumer<MissingServiceException> none);
+                Need need, boolean evenFailed, Consumer<ManagedProvider> found, Consumer<MissingServiceException> none);
     }
 
     private static final class Client {
@@ -31,7 +31,7 @@ final class ConnectedClients {
         final Deferred<ServiceRecord> first = new Deferred<>();
 
         @Nullable
-        Registration current;
+        ManagedProvider current;
 
         @Nullable
         ServiceRecord before;
@@ -87,7 +87,7 @@ final class ConnectedClients {
     }
 
     /** Returns whether a client without a provider waits for one that this registration could be. */
-    boolean waitFor(Registration registration) {
+    boolean waitFor(ManagedProvider registration) {
         return clients.stream()
                 .anyMatch(
                         client -> client.waits() && registration.meets(client.need) && !client.callback.isCancelled());
@@ -119,7 +119,7 @@ final class ConnectedClients {
      *
      * @return fulfilled when all of them have been notified or have timed out
      */
-    Promise<?> leave(Registration registration) {
+    Promise<?> leave(ManagedProvider registration) {
         var notified = new ArrayList<Promise<@Nullable Void>>();
         for (Client client : present(each -> each.current == registration)) {
             client.current = null;
@@ -129,7 +129,7 @@ final class ConnectedClients {
     }
 
     /** Moves the clients of one provider to another one if it meets their need. */
-    Promise<?> move(Registration from, Registration to) {
+    Promise<?> move(ManagedProvider from, ManagedProvider to) {
         var notified = new ArrayList<Promise<@Nullable Void>>();
         for (Client client : present(each -> each.current == from)) {
             client.current = null;
@@ -155,7 +155,7 @@ final class ConnectedClients {
         return notified;
     }
 
-    private Promise<@Nullable Void> use(Client client, Registration registration) {
+    private Promise<@Nullable Void> use(Client client, ManagedProvider registration) {
         if (isGone(client)) {
             return Promise.done();
         }

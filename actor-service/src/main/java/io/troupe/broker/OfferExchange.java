@@ -10,7 +10,6 @@ import io.troupe.bus.Bus;
 import io.troupe.bus.BusException;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusTopic;
-import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -42,9 +41,9 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
     private final BusPort port;
     private final BrokerActor broker;
     private final LocalActors actors;
-    private final int rank;
     private final OfferedProvider.Context context;
-    private final long incarnation = new SecureRandom().nextLong(1, 1L << 53); // exact in every language
+    private final OfferMessages messages;
+    private final Map<String, User> users = new HashMap<>(); // by the name of the provider; only if these are stopped
     private final Map<String, Peer> peers = new HashMap<>();
     private List<OfferMessages.Offer> published = List.of();
     private long count;
@@ -54,34 +53,37 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
     private boolean brokerEnded;
     private @Nullable Timer ticking;
 
-    OfferExchange(OfferedProvider.Context context, BrokerActor broker, LocalActors actors, int rank) {
+    /** The process that has had a provider started. */
+    private record User(String node, long incarnation, long sinceNanos) {}
+
+    OfferExchange(OfferedProvider.Context context, BrokerActor broker, LocalActors actors) {
         this.bus = context.bus();
         this.port = context.port();
         this.context = context;
+        this.messages = context.messages();
         this.broker = broker;
         this.actors = actors;
-        this.rank = rank;
     }
 
     @Override
     protected void started() {
-        port.answer(
-                OfferMessages.START,
-                start -> broker.startAt(at(start.name()))
-                        .thenApply(offering -> new OfferMessages.Started(offering.life())));
+        port.answer(OfferMessages.START, this::start);
+        if (context.sharing().stopsUnused()) {
+            port.answer(OfferMessages.STOP, this::stop);
+        }
         port.answer(
                 OfferMessages.CHECK,
                 check -> broker.healthOf(at(check.name()), check.life())
                         .thenApply(health -> new OfferMessages.Checked(health == Health.SUSPECT)));
-        port.subscribe(OfferMessages.OFFERS, this::receive);
-        port.subscribe(OfferMessages.ASK, (ask, from) -> {
+        port.subscribe(messages.offers, this::receive);
+        port.subscribe(messages.ask, (ask, from) -> {
             if (!isOwn(from)) {
                 publish(true);
             }
         });
-        broker.share(bus.node(), rank, () -> publish(false));
+        broker.share(bus.node(), context.sharing(), () -> publish(false));
         lastTickNanos = nowNanos();
-        send(OfferMessages.ASK, new OfferMessages.AskOffers());
+        send(messages.ask, new OfferMessages.AskOffers());
         publish(true);
         ticking = context().every(PERIOD, Schedule.FIXED_DELAY, this::tick);
     }
@@ -122,7 +124,7 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
                 offerings.all().stream().map(this::offer).toList();
         if (always || !now.equals(published)) {
             published = now;
-            send(OfferMessages.OFFERS, new OfferMessages.Offers(incarnation, ++count, now));
+            send(messages.offers, new OfferMessages.Offers(context.incarnation(), ++count, now));
         }
         if (offerings.closing() && !closed) {
             stopUsing("the broker of this process was closed");
@@ -158,9 +160,47 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
                 record.service(),
                 record.capabilities(),
                 record.health(),
-                rank,
+                rankOf(record),
                 offering.life(),
                 actors.methods(record.provider()));
+    }
+
+    private int rankOf(ServiceRecord record) {
+        return context.sharing().rank(record.provider().name());
+    }
+
+    // ---- the use of the providers of this process
+
+    private Promise<OfferMessages.Started> start(OfferMessages.Start start) {
+        if (context.sharing().stopsUnused()) {
+            users.put(start.name(), new User(start.by(), start.incarnation(), nowNanos()));
+        }
+        return broker.startAt(at(start.name())).thenApply(offering -> new OfferMessages.Started(offering.life()));
+    }
+
+    private Promise<OfferMessages.Stopped> stop(OfferMessages.Stop stop) {
+        users.remove(stop.name());
+        return broker.stopAt(at(stop.name()), stop.life()).thenApply(stopped -> new OfferMessages.Stopped());
+    }
+
+    /** Stops what runs for a process that has been silent. */
+    private void stopUnused(long nowNanos) {
+        users.entrySet().removeIf(each -> {
+            boolean isSilent = nowNanos - seenNanos(each.getValue()) > SUSPECT_AFTER.toNanos();
+            if (isSilent) {
+                broker.stopUnused(
+                        at(each.getKey()),
+                        "nothing has come from " + each.getValue().node() + " for " + SUSPECT_AFTER.toSeconds() + " s");
+            }
+            return isSilent;
+        });
+    }
+
+    private long seenNanos(User user) {
+        Peer peer = peers.get(user.node());
+        return peer != null && peer.incarnation == user.incarnation() && peer.seenNanos > user.sinceNanos()
+                ? peer.seenNanos
+                : user.sinceNanos();
     }
 
     // ---- the offers of others
@@ -208,8 +248,7 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
             }
             var provider = new OfferedProvider(context, new Address(node, offer.name()), offer);
             offered.put(offer.name(), provider);
-            broker.register(offer.service(), List.copyOf(offer.capabilities()), provider.address(), provider)
-                    .exceptionally(taken -> null); // a registration by this process itself counts more
+            broker.offer(offer.service(), List.copyOf(offer.capabilities()), provider);
         }
 
         private void withdraw(String name) {
@@ -280,7 +319,7 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
         lastTickNanos = nowNanos;
         long connectedNanos = bus.connectedFor().toNanos();
         if (connectedNanos > 0 && connectedNanos < sinceLastNanos && !closed) {
-            send(OfferMessages.ASK, new OfferMessages.AskOffers()); // connected again
+            send(messages.ask, new OfferMessages.AskOffers()); // connected again
         }
         publish(true);
         long pausedNanos = sinceLastNanos - PERIOD.toNanos();
@@ -296,6 +335,11 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
                 peer.setSilent(silentNanos > SUSPECT_AFTER.toNanos());
             }
         }
+        if (pausedNanos > PERIOD.toNanos()) {
+            users.replaceAll(
+                    (name, user) -> new User(user.node(), user.incarnation(), user.sinceNanos() + pausedNanos));
+        }
+        stopUnused(nowNanos);
     }
 
     // ---- a survey of all offers
@@ -305,7 +349,7 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
         if (closed) {
             return Promise.failed(new IllegalStateException("the bus or the broker of this process is closed"));
         }
-        send(OfferMessages.ASK, new OfferMessages.AskOffers());
+        send(messages.ask, new OfferMessages.AskOffers());
         var waited = new Deferred<@Nullable Void>();
         context().after(limit, () -> waited.resolve(null));
         return waited.thenCompose(done -> Promise.all(
@@ -320,7 +364,8 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
     private Promise<List<ServiceOffer>> own() {
         return broker.offerings()
                 .thenApply(offerings -> offerings.all().stream()
-                        .map(each -> new ServiceOffer(each.record(), rank, each.life(), Duration.ZERO, Duration.ZERO))
+                        .map(each -> new ServiceOffer(
+                                each.record(), rankOf(each.record()), each.life(), Duration.ZERO, Duration.ZERO))
                         .toList());
     }
 

@@ -38,11 +38,25 @@ final class OfferMessages {
     /** Asks all processes to publish their offers now. */
     record AskOffers() {}
 
-    /** Starts a provider unless it runs. */
-    record Start(String name) {}
+    /**
+     * Starts a provider unless it runs.
+     *
+     * @param by the node that asks, and {@code incarnation} that of its offers
+     */
+    record Start(String name, String by, long incarnation) {}
 
     /** @param life the number of the life that runs */
     record Started(long life) {}
+
+    /**
+     * Stops a provider that runs only while another process uses it.
+     *
+     * @param life stops that life only; 0 = whichever runs
+     */
+    record Stop(String name, long life) {}
+
+    /** Confirms a stop. */
+    record Stopped() {}
 
     /** Asks whether that life of a provider runs. */
     record Check(String name, long life) {}
@@ -50,16 +64,23 @@ final class OfferMessages {
     /** @param suspect whether it runs, but has not answered its last health check */
     record Checked(boolean suspect) {}
 
-    /** The name of the port that has the operations. */
-    static final String PORT = "broker";
-
-    static final BusTopic<Offers> OFFERS = new BusTopic<>("broker/offers", Offers.class);
-    static final BusTopic<AskOffers> ASK = new BusTopic<>("broker/offers?", AskOffers.class);
-
     static final Operation<Start, Started> START =
             new Operation<>("start", Start.class, Started.class, Operation.Kind.CONTROL);
+    static final Operation<Stop, Stopped> STOP =
+            new Operation<>("stop", Stop.class, Stopped.class, Operation.Kind.CONTROL);
     static final Operation<Check, Checked> CHECK =
             new Operation<>("check", Check.class, Checked.class, Operation.Kind.CONTROL);
 
-    private OfferMessages() {}
+    /** The name of the port that has the operations. */
+    final String port;
+
+    final BusTopic<Offers> offers;
+    final BusTopic<AskOffers> ask;
+
+    /** @param group of brokers; empty = those that have none */
+    OfferMessages(String group) {
+        port = group.isEmpty() ? "$broker" : "$broker:" + group;
+        offers = new BusTopic<>(port + "/offers", Offers.class);
+        ask = new BusTopic<>(port + "/offers?", AskOffers.class);
+    }
 }

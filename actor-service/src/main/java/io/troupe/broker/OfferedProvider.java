@@ -16,7 +16,8 @@ import org.jspecify.annotations.Nullable;
  * A provider that another process offers, as the broker of this process runs it. On the broker's space.
  *
  * <p><b>Role.</b> The broker of the process that offers it starts it, once, however many processes ask; others use it.
- * So a stop here ends only the use.
+ * So a stop here ends only the use, unless the brokers have agreed to stop what is not used
+ * ({@link Sharing#withUnusedStopped}).
  *
  * <p><b>Errors.</b> Its requests have three quarters of the broker's limits, so that they end first. A request that was
  * rejected soon after a reconnection is overdue rather than failed: the other process may not be connected again yet.
@@ -26,7 +27,18 @@ final class OfferedProvider implements Provider {
     private static final Duration RECONNECTING = Duration.ofSeconds(2);
 
     /** What the offers of one broker share. */
-    record Context(Bus bus, BusPort port, BrokerSettings settings, RemoteActors actors) {}
+    record Context(
+            Bus bus,
+            BusPort port,
+            BrokerSettings settings,
+            Sharing sharing,
+            RemoteActors actors,
+            OfferMessages messages,
+            long incarnation) {
+        Address portOf(String node) {
+            return new Address(node, messages.port);
+        }
+    }
 
     private final Context context;
     private final Address address;
@@ -154,7 +166,7 @@ final class OfferedProvider implements Provider {
     Promise<Boolean> probe(Duration limit) {
         return context.port
                 .ask(
-                        new Address(address.node(), OfferMessages.PORT),
+                        context.portOf(address.node()),
                         OfferMessages.CHECK,
                         new OfferMessages.Check(address.name(), offer.life()),
                         limit)
@@ -179,7 +191,10 @@ final class OfferedProvider implements Provider {
 
     /** Asks again if there is no reply: the request may be lost, and a provider that is being started is not again. */
     private Promise<OfferMessages.Started> askToStart(Duration limit, int times) {
-        return ask(OfferMessages.START, new OfferMessages.Start(address.name()), limit)
+        return ask(
+                        OfferMessages.START,
+                        new OfferMessages.Start(address.name(), context.bus.node(), context.incarnation),
+                        limit)
                 .exceptionallyCompose(error -> times > 1 && error.getCause() instanceof BusTimeoutException
                         ? askToStart(limit, times - 1)
                         : Promise.failed(error));
@@ -204,7 +219,13 @@ final class OfferedProvider implements Provider {
                 used.actor.end();
             }
         }
-        return Promise.done();
+        return withdrawn || !context.sharing.stopsUnused() ? Promise.done() : stopThere(used == null ? 0 : used.life);
+    }
+
+    private Promise<@Nullable Void> stopThere(long life) {
+        Duration limit = context.settings.stopLimit().multipliedBy(3).dividedBy(4);
+        return ask(OfferMessages.STOP, new OfferMessages.Stop(address.name(), life), limit)
+                .thenAccept(stopped -> {});
     }
 
     @Override
@@ -245,7 +266,7 @@ final class OfferedProvider implements Provider {
 
     private <Q extends Record, A extends Record> Promise<A> ask(Operation<Q, A> operation, Q request, Duration limit) {
         return context.port
-                .ask(new Address(address.node(), OfferMessages.PORT), operation, request, limit)
+                .ask(context.portOf(address.node()), operation, request, limit)
                 .exceptionallyCompose(error -> Promise.failed(asProviderError(error)));
     }
 

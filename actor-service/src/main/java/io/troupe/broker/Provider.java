@@ -28,11 +28,14 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> A start begins after the answer to the previous stop, or after its limit. The broker calls stop for
  * a provider that failed while it ran, or did not start within its limit, so that it does not run beside its successor;
  * and again if such a start completes later. If a start completes while a later start is in progress, both count as one
- * run.
+ * run. A provider that is registered with an object for each life ({@link Broker#register(String, java.util.List,
+ * io.troupe.bus.Address, java.util.function.Supplier)}) is started once; no life of it begins before the stops of all
+ * earlier ones have been fulfilled.
  *
  * <p><b>Errors.</b> If a provider has a time limit itself, it rejects with {@link ProviderException#overdue} when that
- * is over, because the operation may still complete. After any other rejection of a start, stop is not called; any
- * other rejected check makes the provider failed at once.
+ * is over, because the operation may still complete. If it fails, and a part of it may still run, it rejects with
+ * {@link ProviderException#mayStillRun}. After any other rejection of a start, or of {@link #whenEnded}, stop is not
+ * called; any rejected check that is not overdue makes the provider failed at once.
  */
 public interface Provider {
     /** Starts it; fulfilled when it runs. Called again after {@link #stop} or a failure. */

@@ -21,37 +21,37 @@ import org.jspecify.annotations.Nullable;
 final class ProviderRegistry {
     private static final int MOST_LISTED = 20; // in an error message
 
-    private final List<Registration> all = new ArrayList<>();
-    private final Set<Registration> leaving = new LinkedHashSet<>(); // withdrawn or replaced, and not stopped yet
+    private final List<ManagedProvider> all = new ArrayList<>();
+    private final Set<ManagedProvider> leaving = new LinkedHashSet<>(); // withdrawn or replaced, and not stopped yet
     private final Set<Address> reserved = new HashSet<>(); // for replacements that are being started
 
     private @Nullable String node; // of this process, if its providers are offered to others
-    private int localRank;
+    private Sharing sharing = Sharing.defaults();
 
     /** Providers of other processes may be among them from now on. */
-    void share(String ownNode, int rank) {
+    void share(String ownNode, Sharing how) {
         node = ownNode;
-        localRank = rank;
+        sharing = how;
     }
 
     /** The providers of this process. */
-    List<Registration> local() {
+    List<ManagedProvider> local() {
         return all.stream()
-                .filter(each -> !each.isOffered() && each.address.node().equals(node))
+                .filter(each -> each.offered() == null && each.address.node().equals(node))
                 .toList();
     }
 
-    Optional<Registration> of(Provider provider) {
-        return all.stream().filter(each -> each.provider == provider).findFirst();
+    Optional<ManagedProvider> of(OfferedProvider provider) {
+        return all.stream().filter(each -> each.offered() == provider).findFirst();
     }
 
-    void add(Registration registration) {
+    void add(ManagedProvider registration) {
         checkFree(registration.address, null);
         all.add(registration);
     }
 
     void checkFree(Address address, @Nullable Address butFor) {
-        if (!address.equals(butFor) && (at(address).isPresent() || reserved.contains(address))) {
+        if (!address.equals(butFor) && !isFree(address)) {
             String who = at(address)
                     .map(other -> "the service \"" + other.service + "\"")
                     .orElse("another");
@@ -60,7 +60,11 @@ final class ProviderRegistry {
         }
     }
 
-    void reserve(Registration registration) {
+    boolean isFree(Address address) {
+        return at(address).isEmpty() && !reserved.contains(address);
+    }
+
+    void reserve(ManagedProvider registration) {
         reserved.add(registration.address);
     }
 
@@ -72,7 +76,7 @@ final class ProviderRegistry {
      * Puts a provider in the position of the old one, or at the end if that was removed. The old one may run until
      * {@link #forget} is called.
      */
-    void put(Registration registration, Registration old) {
+    void put(ManagedProvider registration, ManagedProvider old) {
         int place = all.indexOf(old);
         if (place >= 0) {
             all.set(place, registration);
@@ -82,13 +86,19 @@ final class ProviderRegistry {
         }
     }
 
+    /** Removes a provider that does not run, and has never run or has been stopped. */
+    void drop(ManagedProvider registration) {
+        registration.cancelTimers();
+        all.remove(registration);
+    }
+
     /** Removes a withdrawn provider. It may run until {@link #forget} is called. */
-    void remove(Registration registration) {
+    void remove(ManagedProvider registration) {
         all.remove(registration);
         leaving.add(registration);
     }
 
-    void forget(Registration registration) {
+    void forget(ManagedProvider registration) {
         leaving.remove(registration);
     }
 
@@ -96,46 +106,46 @@ final class ProviderRegistry {
      * Withdrawn or replaced providers that may still run and have the same address or the same provider object. They
      * must stop before the given one is started.
      */
-    List<Registration> predecessors(Registration registration) {
+    List<ManagedProvider> predecessors(ManagedProvider registration) {
         return leaving.stream()
-                .filter(each -> each.address.equals(registration.address) || each.provider == registration.provider)
+                .filter(each -> each.address.equals(registration.address) || each.hasProviderOf(registration))
                 .toList();
     }
 
-    boolean has(Registration registration) {
+    boolean has(ManagedProvider registration) {
         return all.contains(registration);
     }
 
-    Optional<Registration> at(Address address) {
+    Optional<ManagedProvider> at(Address address) {
         return all.stream().filter(each -> each.address.equals(address)).findFirst();
     }
 
-    Registration known(Address address) {
+    ManagedProvider known(Address address) {
         return at(address)
                 .orElseThrow(() -> new IllegalArgumentException("nothing is registered at " + address + "; registered: "
-                        + listed(all, Registration::toString)));
+                        + listed(all, ManagedProvider::toString)));
     }
 
     List<ServiceRecord> records() {
-        return all.stream().map(Registration::toRecord).toList();
+        return all.stream().map(ManagedProvider::toRecord).toList();
     }
 
-    List<Registration> meeting(Need need) {
+    List<ManagedProvider> meeting(Need need) {
         return all.stream()
                 .filter(each -> each.meets(need))
                 .sorted(order()) // a stable sort keeps the order of registration
                 .toList();
     }
 
-    private Comparator<Registration> order() {
-        var byHealth = Comparator.comparingInt(Registration::rank);
+    private Comparator<ManagedProvider> order() {
+        var byHealth = Comparator.comparingInt(ManagedProvider::rank);
         return node == null
                 ? byHealth
-                : byHealth.thenComparingInt(each -> each.configuredRank(localRank))
+                : byHealth.thenComparingInt(each -> each.configuredRank(sharing))
                         .thenComparing(each -> each.address.node()); // the same in every process
     }
 
-    Optional<Registration> best(Need need, Predicate<Registration> eligible) {
+    Optional<ManagedProvider> best(Need need, Predicate<ManagedProvider> eligible) {
         return meeting(need).stream().filter(eligible).findFirst();
     }
 
@@ -144,9 +154,9 @@ final class ProviderRegistry {
      *
      * @param tried the providers that could not be started, with the reason
      */
-    MissingServiceException missing(Need need, Map<Registration, Throwable> tried) {
+    MissingServiceException missing(Need need, Map<ManagedProvider, Throwable> tried) {
         var text = new StringBuilder("\"" + need.by() + "\" needs " + what(need));
-        List<Registration> offers = meeting(need);
+        List<ManagedProvider> offers = meeting(need);
         if (offers.isEmpty() && tried.isEmpty()) {
             text.append(", which no provider offers");
             similar(need)
@@ -154,7 +164,7 @@ final class ProviderRegistry {
                             text.append("; did you mean \"").append(name).append("\"?"));
             text.append(text.charAt(text.length() - 1) == '?' ? " registered: " : "; registered: ");
         } else {
-            List<Registration> these = Stream.concat(tried.keySet().stream(), offers.stream())
+            List<ManagedProvider> these = Stream.concat(tried.keySet().stream(), offers.stream())
                     .distinct()
                     .toList();
             String why = listed(these, each -> each + " (" + reason(each, tried.get(each)) + ")");
@@ -167,12 +177,12 @@ final class ProviderRegistry {
     }
 
     /** The first of them, and the number of others. */
-    private static String listed(List<Registration> some, Function<Registration, String> words) {
+    private static String listed(List<ManagedProvider> some, Function<ManagedProvider, String> words) {
         String first = some.stream().limit(MOST_LISTED).map(words).collect(Collectors.joining(", "));
         return some.size() <= MOST_LISTED ? first : first + " and " + (some.size() - MOST_LISTED) + " more";
     }
 
-    private static String reason(Registration registration, @Nullable Throwable tried) {
+    private static String reason(ManagedProvider registration, @Nullable Throwable tried) {
         Throwable why = tried != null ? tried : registration.why();
         return why == null ? words(registration.health()) : Reasons.of(why);
     }
@@ -208,7 +218,7 @@ final class ProviderRegistry {
                                 .toList());
     }
 
-    private String show(Registration registration) {
+    private String show(ManagedProvider registration) {
         String capabilities =
                 registration.capabilities.isEmpty() ? "" : String.join(", ", registration.capabilities) + "; ";
         String place = node == null ? "" : " at " + registration.address.node();

@@ -75,8 +75,8 @@ class AccountingTest {
         private final TestSpace test = new TestSpace();
         private final List<BrokerEvent> events = new ArrayList<>();
         private final Broker broker = Broker.open(
-                test.space(), BrokerSettings.defaults().withoutRestart().withObserver(events::add));
-        private final ActorServices services = new ActorServices(broker, "node", test.space(), events::add);
+                "node", test.space(), BrokerSettings.defaults().withoutRestart().withObserver(events::add));
+        private final ActorServices services = broker.services();
         private final Map<Integer, List<String>> done = new HashMap<>();
         private final List<Late> later = new ArrayList<>();
         private final Map<Integer, Promise<String>> asked = new TreeMap<>();

@@ -9,6 +9,7 @@ class ActorServicesOnABusTest extends ActorServicesTest {
     @Override
     ActorServices open() {
         Bus bus = new BytePipe(test.space()).open("node", BusSettings.on(test.space()));
-        return ActorServices.over(bus, broker, test.space(), events::add);
+        broker = Broker.over(bus, test.space(), WITHOUT_RESTART.withObserver(this::record));
+        return broker.services();
     }
 }

@@ -804,7 +804,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         assertThat(get(parrot.say("3"))).isEqualTo("mine: 3");
         test.space().stop(mine);
         test.runQueued();
-        assertThat(far.health("far/parrot-2")).isEqualTo(Health.FAILED);
+        assertThat(far.health("far/parrot#2")).isEqualTo(Health.FAILED);
     }
 
     @Test

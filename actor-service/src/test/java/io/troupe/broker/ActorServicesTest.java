@@ -33,7 +33,7 @@ class ActorServicesTest extends BrokerBench {
 
     /** Overridden to run the tests with other services; called by the constructor. */
     ActorServices open() {
-        return new ActorServices(broker, "node", test.space(), events::add);
+        return broker.services();
     }
 
     private Parrot.Grey parrot(String name) {
@@ -78,15 +78,25 @@ class ActorServicesTest extends BrokerBench {
                         error -> assertThat(error.mayHaveRun()).isEqualTo(mayHaveRun));
     }
 
+    @Test
+    void numbersOfAddresses_areNoNames() {
+        for (var name : List.of("camera", "camera", "camera-2", "camera-2")) {
+            get(services.publish(test.space(), Parrot.class, name, List.of(), () -> parrot("grey")));
+        }
+        assertThat(get(broker.registered()))
+                .extracting(each -> each.provider().name())
+                .containsExactly("camera", "camera#2", "camera-2", "camera-2#2");
+    }
+
     /** It is a part of the address, which the message does not mention. */
     @Test
-    void nameOfAService_hasNoSlash() {
-        for (var name : List.of("a/b", " ")) {
+    void nameOfAService_hasNoSlash_andNoCharacterOfNumbersAndOurNames() {
+        for (var name : List.of("a/b", " ", "a#2", "$a")) {
             assertThatThrownBy(
                             () -> services.publish(test.space(), Parrot.class, name, List.of(), () -> parrot("grey")))
                     .isInstanceOf(IllegalArgumentException.class)
                     .hasMessage("the name of a service is \"" + name
-                            + "\", expected a name without a slash and without control characters");
+                            + "\", expected a name without / # $ and control characters");
         }
     }
 
@@ -143,7 +153,7 @@ class ActorServicesTest extends BrokerBench {
         assertThat(get(parrot.say("1"))).isEqualTo("a: 1");
         kill("parrot");
         assertThat(get(parrot.say("2"))).isEqualTo("b: 2");
-        get(replace("parrot-2", "c"));
+        get(replace("parrot#2", "c"));
         assertThat(get(parrot.say("3"))).isEqualTo("c: 3");
         connection.close();
         assertThat(test.error(parrot.say("4"))).hasMessageEndingWith("the connection parrot for robot 1 is closed");
@@ -161,10 +171,10 @@ class ActorServicesTest extends BrokerBench {
         var proxy = test.spawn(Parrot.class, () -> parrot("b"));
         publishSpawned(test, proxy);
         get(services.connect(Parrot.class, PARROT).whenReady());
-        assertThat(services.running(at("parrot-2"))).isNotNull();
+        assertThat(services.running(at("parrot#2"))).isNotNull();
         test.space().stop(proxy);
         test.runQueued();
-        assertThat(services.running(at("parrot-2"))).isNull();
+        assertThat(services.running(at("parrot#2"))).isNull();
     }
 
     @Test
@@ -179,7 +189,7 @@ class ActorServicesTest extends BrokerBench {
         assertThat(get(parrot.say("3"))).isEqualTo("mine: 3");
         test.space().stop(proxy);
         test.runQueued();
-        assertThat(health("parrot-2")).isEqualTo(Health.FAILED);
+        assertThat(health("parrot#2")).isEqualTo(Health.FAILED);
         assertThat(missing(broker.require(PARROT))).contains("has stopped, and only who spawned it can spawn it again");
     }
 
@@ -202,7 +212,7 @@ class ActorServicesTest extends BrokerBench {
     void call_waitsForTheNextProvider_ifTheOneItIsNotifiedOfHasEndedMeanwhile() {
         try (var callers = new TestSpace();
                 var providers = new TestSpace()) {
-            var far = new ActorServices(broker, "node", callers.space(), event -> {});
+            var far = new ActorServices(broker, "node", callers.space(), event -> {}, null);
             for (String name : List.of("a", "b")) {
                 far.publish(providers.space(), Parrot.class, "parrot", List.of(), () -> parrot(name));
             }

@@ -20,13 +20,13 @@ class BrokerBench {
     Broker broker;
 
     BrokerBench(BrokerSettings settings) {
-        broker = Broker.open(test.space(), settings.withObserver(this::record));
+        broker = Broker.open("node", test.space(), settings.withObserver(this::record));
     }
 
     /** Goes on with a broker of other settings. */
     final void reopen(BrokerSettings settings) {
         get(broker.shutDown());
-        broker = Broker.open(test.space(), settings.withObserver(this::record));
+        broker = Broker.open("node", test.space(), settings.withObserver(this::record));
     }
 
     void record(BrokerEvent event) {

@@ -196,7 +196,7 @@ class BrokerGuideTest {
     void twoActors_arePublisherAndSubscriberOfEachOther() {
         Broker broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
 
-        var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
+        var services = broker.services();
         services.publish(space, Compass.class, "compass", List.of("senses"), () -> new ShipCompass(services));
         services.publish(space, Helm.class, "helm", List.of("steers"), () -> new ShipHelm(services));
 
@@ -214,7 +214,7 @@ class BrokerGuideTest {
     @Test
     void serviceThatTakesLong_hasNoLimit_andItsReplacementTakesOver() {
         Broker broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
-        var services = new ActorServices(broker, "ship", space, event -> {});
+        var services = broker.services();
         services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
 
         var patient = ConnectionSettings.defaults()
@@ -226,7 +226,7 @@ class BrokerGuideTest {
         test.runQueued();
 
         services.replace(
-                new Address("ship", "greeter"),
+                new Address("test-space", "greeter"),
                 space,
                 Greeter.class,
                 "greeter",
@@ -243,7 +243,7 @@ class BrokerGuideTest {
     void fiveLines_publishAnActor_andCallItByItsName() throws Exception {
         var space = ActorSpace.create(SpaceSettings.named("ship"));
         var broker = Broker.open(space, BrokerSettings.defaults());
-        var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
+        var services = broker.services();
         services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
         var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"))
                 .actor();
@@ -267,13 +267,13 @@ class BrokerGuideTest {
                 .withStartLimit(Duration.ofSeconds(20))
                 .withObserver(observer);
         Broker broker = Broker.open(space, settings);
-        var services = new ActorServices(broker, "ship", space, observer);
+        var services = broker.services();
         services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
         services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hi " + name));
         var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"));
         test.get(greeter.whenReady());
-        test.get(broker.withdraw(new Address("ship", "greeter")));
-        assertThat(shown).containsExactly("ship/greeter > ship/greeter-2");
+        test.get(broker.withdraw(new Address("test-space", "greeter")));
+        assertThat(shown).containsExactly("test-space/greeter > test-space/greeter#2");
         greeter.close();
         test.get(broker.shutDown());
     }
@@ -283,17 +283,38 @@ class BrokerGuideTest {
     }
 
     @Test
+    void reserve_comesAfterTheOthers() {
+        var pipe = new BytePipe(space);
+        try (Bus bus = pipe.open("a", BusSettings.on(space));
+                Bus main = pipe.open("b", BusSettings.on(space))) {
+            var reserve = Broker.over(
+                    bus, space, BrokerSettings.defaults(), Sharing.defaults().withRank(1));
+            var first = Broker.over(main, space, BrokerSettings.defaults());
+            for (var broker : List.of(reserve, first)) {
+                broker.services()
+                        .publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
+            }
+            test.runQueued();
+            assertThat(test.get(reserve.find(Need.ofService("guest", "greeter"))))
+                    .extracting(each -> each.provider().node())
+                    .containsExactly("b", "a");
+            test.get(reserve.shutDown());
+            test.get(first.shutDown());
+        }
+    }
+
+    @Test
     void actor_ofAnotherProcess_isCalledLikeOneOfThisProcess() {
         var pipe = new BytePipe(space);
         BusEngine engine = pipe.engine();
         var bus = Bus.open("ship", engine, BusSettings.on(space));
-        var broker = Broker.open(space, BrokerSettings.defaults());
-        var services = ActorServices.over(bus, broker, space, BrokerObserver.logging());
+        var broker = Broker.over(bus, space, BrokerSettings.defaults());
+        var services = broker.services();
         services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
         test.runQueued();
         try (Bus shore = pipe.open("shore", BusSettings.on(space))) {
-            var there = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
-            var onShore = ActorServices.over(shore, there, space, BrokerObserver.logging());
+            var there = Broker.over(shore, space, BrokerSettings.defaults().withObserver(event -> {}));
+            var onShore = there.services();
             var greeter = onShore.connect(Greeter.class, Need.ofService("guest", "greeter"))
                     .actor();
             assertThat(test.get(greeter.greet("Ada"))).isEqualTo("hello Ada");

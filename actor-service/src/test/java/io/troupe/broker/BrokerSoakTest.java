@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -21,6 +22,7 @@ class BrokerSoakTest {
     private long started;
     private long lateStarts;
     private long replaced;
+    private long further;
 
     @Test
     void afterShutDown_noProviderIsAlive_andNoPromiseIsPending() {
@@ -28,6 +30,9 @@ class BrokerSoakTest {
         assertThat(started).as("providers that ran").isPositive();
         assertThat(lateStarts).as("starts that were answered late").isPositive();
         assertThat(replaced).as("replacements").isPositive();
+        assertThat(further)
+                .as("lives after the first of providers with an object for each")
+                .isPositive();
     }
 
     private final class Program extends BrokerBench {
@@ -48,21 +53,35 @@ class BrokerSoakTest {
             private final int number = providers.size();
             private Deferred<@Nullable Void> end = Deferred.unbound(); // of the newest start
             private Deferred<@Nullable Void> endOfLife = end; // of the newest start that was fulfilled
+            private final List<Moody> earlier; // lives of the same provider
+            private boolean stopped; // stop was called: a later start is late
+            private boolean aliveInTime;
             boolean alive;
+
+            Moody(List<Moody> earlier) {
+                this.earlier = List.copyOf(earlier);
+            }
 
             @Override
             public Promise<@Nullable Void> start() {
+                assertThat(earlier).as("earlier lives that run").noneMatch(each -> each.aliveInTime);
+                further += earlier.isEmpty() ? 0 : 1;
                 Deferred<@Nullable Void> mine = Deferred.unbound();
                 end = mine;
                 return answer("start", true, () -> {
                     endOfLife = mine;
                     alive = true;
+                    aliveInTime = !stopped;
                 });
             }
 
             @Override
             public Promise<@Nullable Void> stop() {
-                return answer("stop", false, () -> alive = false);
+                stopped = true;
+                return answer("stop", false, () -> {
+                    alive = false;
+                    aliveInTime = false;
+                });
             }
 
             @Override
@@ -78,6 +97,7 @@ class BrokerSoakTest {
             void die() {
                 if (alive) {
                     alive = false;
+                    aliveInTime = false;
                     note("dies");
                     endOfLife.reject(new IllegalStateException("died"));
                 }
@@ -140,7 +160,8 @@ class BrokerSoakTest {
         private void step() {
             var need = Need.ofService("user", "work");
             switch (random.nextInt(11)) {
-                case 0, 1 -> settles(broker.register("work", List.of(), address(), provider()));
+                case 0 -> settles(broker.register("work", List.of(), address(), provider()));
+                case 1 -> settles(broker.register("work", List.of(), address(), new Lives()));
                 case 2 -> settles(broker.withdraw(address()));
                 case 3 -> settles(broker.replace(address(), "work", List.of(), address(), provider()));
                 case 4, 5 -> settles(broker.require(need));
@@ -166,8 +187,20 @@ class BrokerSoakTest {
         }
 
         private Moody provider() {
-            providers.add(new Moody());
+            providers.add(new Moody(List.of()));
             return providers.getLast();
+        }
+
+        /** A provider with an object for each life. */
+        private final class Lives implements Supplier<Provider> {
+            private final List<Moody> all = new ArrayList<>();
+
+            @Override
+            public Provider get() {
+                providers.add(new Moody(all));
+                all.add(providers.getLast());
+                return all.getLast();
+            }
         }
 
         private void settles(Promise<?> promise) {

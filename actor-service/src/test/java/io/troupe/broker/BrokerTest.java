@@ -110,6 +110,53 @@ class BrokerTest extends ScriptedBroker {
             shutDown          | shutDown: []
             a answers, wait 1 | late start of node/a, stop a
 
+            -- providers with an object for each life: none begins beside an earlier one, and a late one is stopped by itself
+
+            lives_haveAnObjectEach
+            never restart, offerLives a, require 1 | start a1, require 1: a WELL
+            a1 dies                                | a has failed
+            require 1                              | start a2, require 1: a WELL
+            withdraw a                             | stop a2, withdraw a: done
+
+            lifeThatIsNotStopped_isStoppedAgain_andBlocksTheNext
+            never restart, offerLives a, require 1  | start a1, require 1: a WELL
+            a1.check fails, a1.stop fails, wait 1   | a has failed, stop a1, a did not stop
+            require 1, run, why | stop a1, a did not stop, require 1: missing,
+                                | "robot 1" needs the service "player", which is offered,
+                                | but runs nowhere: node/a (node/a cannot start: its previous life could not be stopped:
+                                | java.lang.IllegalStateException: a1 is broken); registered: player (failed)
+            a1.stop works, require 1                | stop a1, start a2, require 1: a WELL
+            withdraw a                              | stop a2, withdraw a: done
+
+            lifeWhoseStopHangs_blocksTheNext_untilALateAnswer
+            never restart, offerLives a, require 1 | start a1, require 1: a WELL
+            a1.check fails, a1.stop hangs, wait 1  | a has failed, stop a1
+            require 1, wait 5                      | a did not stop, require 1: missing
+            a1 answers                             | late stop of node/a
+            require 1                              | start a2, require 1: a WELL
+
+            withdrawnLifeThatIsNotStopped_isStoppedByTheNextAtItsAddress
+            never restart, offerLives a, require 1 | start a1, require 1: a WELL
+            a1.stop fails, withdraw a              | stop a1, a did not stop, withdraw a: ProviderException: node/a has not
+                                                   | stopped: java.lang.IllegalStateException: a1 is broken
+            offerLives b at a, require 1           | stop a1, a did not stop, require 1: missing
+            a1.stop works, require 1               | stop a1, start b1, require 1: a WELL
+
+            lifeThatStartsLate_isStoppedByItself_whileTheNextRuns
+            never restart, offerLives a, a.start hangs, require 1 | start a1
+            wait 10                         | a did not start, stop a1, require 1: missing
+            a.start works, require 1        | start a2, require 1: a WELL
+            a1 answers                      | late start of node/a, stop a1
+            health a                        | WELL
+            withdraw a                      | stop a2, withdraw a: done
+
+            lifeThatStartsLate_andCannotBeStopped_isStoppedAgainWithTheNext
+            never restart, offerLives a, a.start hangs, require 1  | start a1
+            wait 10                         | a did not start, stop a1, require 1: missing
+            a.start works, require 1        | start a2, require 1: a WELL
+            a1.stop fails, a1 answers       | late start of node/a, stop a1, a did not stop
+            a1.stop works, withdraw a       | stop a2, stop a1, withdraw a: done
+
             -- what is found, and the error that lists what is registered, on one line
 
             connect_toWhatNobodyOffers_isRejected_andConnectsWhenSomebodyDoes

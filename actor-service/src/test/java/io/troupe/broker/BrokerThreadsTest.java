@@ -71,13 +71,14 @@ class BrokerThreadsTest {
         var brokers = new TestSpace(); // its clock decides when a limit is over
         try (var hanging = space("hanging");
                 var other = space("other")) {
-            var broker = Broker.open(brokers.space(), BrokerSettings.defaults().withObserver(events::add));
-            var services = new ActorServices(broker, "node", brokers.space(), events::add);
+            var broker = Broker.open(
+                    "node", brokers.space(), BrokerSettings.defaults().withObserver(events::add));
+            var services = broker.services();
             await(brokers, publish(services, hanging, "a"));
             await(brokers, publish(services, other, "b"));
             Deferred<String> overThere = brokers.space().deferred();
             broker.connect(PARROT, (ScriptedBroker.Client) provider -> {
-                if (provider.provider().name().equals("parrot-2")) {
+                if (provider.provider().name().equals("parrot#2")) {
                     overThere.resolve(provider.provider().name());
                 }
             });
@@ -93,7 +94,7 @@ class BrokerThreadsTest {
                 brokers.advance(Duration.ofSeconds(1));
             }
             assertThat(events).anyMatch(BrokerEvent.Suspect.class::isInstance);
-            assertThat(await(brokers, overThere)).isEqualTo("parrot-2");
+            assertThat(await(brokers, overThere)).isEqualTo("parrot#2");
             connection.close();
             try (var again = services.connect(Parrot.class, PARROT)) {
                 assertThat(await(brokers, again.actor().say("2"))).isEqualTo("b: 2");
@@ -123,7 +124,7 @@ class BrokerThreadsTest {
                 var callers = space("callers");
                 var threads = Executors.newVirtualThreadPerTaskExecutor()) {
             var broker = Broker.open(brokers, PATIENT_BROKER.withObserver(events::add));
-            var services = new ActorServices(broker, "node", callers, events::add);
+            var services = new ActorServices(broker, "node", callers, events::add, null);
             var now = publish(services, providers, "0").get(PATIENCE).provider();
             var parrot = services.connect(Parrot.class, PARROT, PATIENT).actor();
             var load = threads.submit(() -> {
@@ -258,11 +259,12 @@ class BrokerThreadsTest {
         try (var brokers = space("brokers");
                 var left = space("left");
                 var right = space("right")) {
-            var broker = Broker.open(brokers, PATIENT_BROKER.withoutRestart().withObserver(event -> {}));
-            var services = new ActorServices(broker, "node", brokers, event -> {});
+            var broker =
+                    Broker.open("node", brokers, PATIENT_BROKER.withoutRestart().withObserver(event -> {}));
+            var services = broker.services();
             services.publish(left, Station.class, "a", List.of(), () -> new Answerer("a", "b", services));
             services.publish(right, Station.class, "b", List.of(), () -> new Answerer("b", "a", services));
-            services.publish(right, Station.class, "b", List.of(), () -> new Answerer("b-2", "a", services));
+            services.publish(right, Station.class, "b", List.of(), () -> new Answerer("b#2", "a", services));
 
             try (var a = services.connect(Station.class, Need.ofService("test", "a"), PATIENT);
                     var b = services.connect(Station.class, Need.ofService("test", "b"), PATIENT)) {
@@ -271,11 +273,11 @@ class BrokerThreadsTest {
                 await("b reads 1 from a", "a reads 2 from b", "b reads 3 from a", "a reads 4 from b");
 
                 b.actor().die();
-                await("a follows b-2", "b-2 follows a");
+                await("a follows b#2", "b#2 follows a");
                 a.actor().publish(101);
-                await("b-2 reads 101 from a", "a reads 102 from b-2", "b-2 reads 103 from a", "a reads 104 from b-2");
+                await("b#2 reads 101 from a", "a reads 102 from b#2", "b#2 reads 103 from a", "a reads 104 from b#2");
                 b.actor().publish(204);
-                await("a reads 204 from b-2");
+                await("a reads 204 from b#2");
             }
             assertThat(broker.shutDown().get(PATIENCE)).isEmpty();
             assertThat(news).noneMatch(entry -> entry.contains("reads"));

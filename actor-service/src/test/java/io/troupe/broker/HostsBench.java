@@ -19,6 +19,7 @@ import org.junit.jupiter.api.AfterEach;
 /** Several processes on one space without a thread, which exchange bytes. Tests extend it. */
 class HostsBench {
     static final Need PARROT = Need.ofService("robot 1", "parrot");
+    static final OfferMessages MESSAGES = new OfferMessages("");
 
     final TestSpace test = new TestSpace();
     final BytePipe pipe = new BytePipe(test.space());
@@ -36,11 +37,15 @@ class HostsBench {
         final Map<String, Parrot.Grey> parrots = new LinkedHashMap<>();
 
         Host(String name, BrokerSettings settings, int rank) {
+            this(name, settings, Sharing.defaults().withRank(rank));
+        }
+
+        Host(String name, BrokerSettings settings, Sharing sharing) {
             this.name = name;
             this.bus =
                     pipe.open(name, BusSettings.on(test.space()).withObserver(loss -> losses.add(name + ": " + loss)));
-            this.broker = Broker.open(test.space(), settings.withObserver(events::add));
-            this.services = ActorServices.over(bus, broker, test.space(), events::add, rank);
+            this.broker = Broker.over(bus, test.space(), settings.withObserver(events::add), sharing);
+            this.services = broker.services();
             hosts.put(name, this);
         }
 

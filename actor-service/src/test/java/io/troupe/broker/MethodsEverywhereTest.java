@@ -275,8 +275,9 @@ class MethodsEverywhereTest extends HostsBench {
     @MethodSource("noActorTypes")
     <A> void typeThatCannotBeAnActor_isRefusedInOneWay_whereItIsWritten(Class<A> type, String why) {
         Host host = host("host");
-        var broker = Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {}));
-        var local = new ActorServices(broker, "alone", test.space(), event -> {});
+        var broker =
+                Broker.open("alone", test.space(), BrokerSettings.defaults().withObserver(event -> {}));
+        var local = broker.services();
         Supplier<A> none = () -> {
             throw new AssertionError("made");
         };

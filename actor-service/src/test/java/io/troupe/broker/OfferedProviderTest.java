@@ -30,7 +30,7 @@ class OfferedProviderTest extends HostsBench {
     /** The other process. It answers no call, and a start or check when the test does. */
     private final class Peer {
         final Bus bus = pipe.open("peer", BusSettings.on(test.space()).withObserver(loss -> {}));
-        final BusPort port = bus.attach(OfferMessages.PORT);
+        final BusPort port = bus.attach(MESSAGES.port);
         final BusPort parrot = bus.attach("parrot");
         final Deque<Deferred<OfferMessages.Started>> starts = new ArrayDeque<>();
         final Deque<Deferred<OfferMessages.Checked>> checks = new ArrayDeque<>();
@@ -61,7 +61,7 @@ class OfferedProviderTest extends HostsBench {
         }
 
         void offers(OfferMessages.Offer... offers) {
-            port.publish(OfferMessages.OFFERS, new OfferMessages.Offers(incarnation, ++count, List.of(offers)));
+            port.publish(MESSAGES.offers, new OfferMessages.Offers(incarnation, ++count, List.of(offers)));
             test.runQueued();
         }
 
@@ -215,7 +215,7 @@ class OfferedProviderTest extends HostsBench {
             assertThat(required.isDone()).isFalse();
             advance(500); // the request may be lost, and is repeated
         }
-        assertThat(test.error(required)).hasMessageContaining("asked peer/broker for start: no answer within");
+        assertThat(test.error(required)).hasMessageContaining("asked peer/$broker for start: no answer within");
         assertThat(peer.starts).hasSizeGreaterThan(1);
     }
 
@@ -225,7 +225,7 @@ class OfferedProviderTest extends HostsBench {
         advance(1_000);
         advance(750);
         assertThat(near.events(BrokerEvent.Suspect.class).getLast().why())
-                .hasMessage("near/broker asked peer/broker for check: no answer within PT0.75S");
+                .hasMessage("near/$broker asked peer/$broker for check: no answer within PT0.75S");
     }
 
     @Test
@@ -482,7 +482,7 @@ class OfferedProviderTest extends HostsBench {
 
     private List<OfferMessages.Offers> publishedByNear() {
         List<OfferMessages.Offers> published = new ArrayList<>();
-        peer.bus.attach("listener").subscribe(OfferMessages.OFFERS, (offers, from) -> {
+        peer.bus.attach("listener").subscribe(MESSAGES.offers, (offers, from) -> {
             if (from.node().equals("near")) {
                 published.add(offers);
             }
@@ -521,7 +521,7 @@ class OfferedProviderTest extends HostsBench {
         published.clear();
         advance(5_000);
         assertThat(published).isEmpty();
-        near.bus.attach(OfferMessages.PORT).close(); // the name is free again
+        near.bus.attach(MESSAGES.port).close(); // the name is free again
     }
 
     private record SlowToStop(Deferred<Void> stopped) implements Provider {
@@ -545,8 +545,9 @@ class OfferedProviderTest extends HostsBench {
     void brokerWhoseSpaceIsClosed_leavesItsPort_andEndsTheCallsUnderWay() {
         try (var brokers = new TestSpace()) {
             var bus = pipe.open("other", BusSettings.on(test.space()).withObserver(loss -> {}));
-            var broker = Broker.open(brokers.space(), BrokerSettings.defaults().withObserver(event -> {}));
-            var services = ActorServices.over(bus, broker, test.space(), event -> {});
+            var broker =
+                    Broker.over(bus, brokers.space(), BrokerSettings.defaults().withObserver(event -> {}));
+            var services = broker.services();
             Runnable runBoth = () -> {
                 for (int i = 0; i < 10; i++) {
                     brokers.runQueued();
@@ -555,10 +556,12 @@ class OfferedProviderTest extends HostsBench {
             };
             runBoth.run();
             peer.offer(Health.WELL, 1);
-            var call = services.connect(
+            var calls = new ArrayList<Promise<String>>();
+            test.run(() -> calls.add(services.connect(
                             Parrot.class, PARROT, ConnectionSettings.defaults().withoutAnswerLimit())
                     .actor()
-                    .sayLater("x");
+                    .sayLater("x")));
+            var call = calls.getFirst();
             runBoth.run();
             peer.started(1);
             runBoth.run();
@@ -567,7 +570,7 @@ class OfferedProviderTest extends HostsBench {
             brokers.space().close();
             brokers.runQueued();
             assertThat(test.error(call)).hasMessageStartingWith("peer/parrot ended while \"robot 1\" waited");
-            bus.attach(OfferMessages.PORT);
+            bus.attach(MESSAGES.port);
             bus.close();
         }
     }
@@ -575,7 +578,7 @@ class OfferedProviderTest extends HostsBench {
     @Test
     void afterAReconnection_offersAreAskedFor() {
         List<Address> asking = new ArrayList<>();
-        peer.port.subscribe(OfferMessages.ASK, (ask, from) -> asking.add(from));
+        peer.port.subscribe(MESSAGES.ask, (ask, from) -> asking.add(from));
         seconds(3);
         pipe.disconnect("near");
         seconds(3);
@@ -583,7 +586,7 @@ class OfferedProviderTest extends HostsBench {
         advance(500);
         pipe.reconnect("near");
         advance(500);
-        assertThat(asking).containsExactly(new Address("near", "broker"));
+        assertThat(asking).containsExactly(new Address("near", "$broker"));
         seconds(5);
         assertThat(asking).hasSize(1);
     }

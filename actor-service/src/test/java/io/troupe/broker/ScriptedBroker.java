@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.actor.Actor;
 import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
+import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -56,7 +57,7 @@ class ScriptedBroker extends BrokerBench {
         assertThat(String.join(" ", step)).as("step").matches(STEP);
         String who = step.length > 1 ? step[1] : "";
         switch (step[0]) {
-            case "offer" -> offer(step, provider(who));
+            case "offer", "offerLives" -> offer(step, provider(who)); // one object, or one for each life
             case "require" -> note(step, broker.require(need(step)));
             case "find" -> note(step, broker.find(need(step)));
             case "connect" -> connect(need(step), what -> diary.add(who + ": " + what));
@@ -97,15 +98,16 @@ class ScriptedBroker extends BrokerBench {
 
     private void offer(String[] step, FakeProvider provider) {
         String capabilities = option(step, "with", "");
-        broker.register(
-                        option(step, "for", "player"),
-                        capabilities.isEmpty() ? List.of() : List.of(capabilities.split("\\+")),
-                        at(option(step, "at", step[1])),
-                        provider)
-                .exceptionally(error -> {
-                    note(step, Promise.failed(error));
-                    return null;
-                });
+        String service = option(step, "for", "player");
+        List<String> all = capabilities.isEmpty() ? List.of() : List.of(capabilities.split("\\+"));
+        Address address = at(option(step, "at", step[1]));
+        Promise<ServiceRecord> registered = step[0].equals("offer")
+                ? broker.register(service, all, address, provider)
+                : broker.register(service, all, address, provider::nextLife);
+        registered.exceptionally(error -> {
+            note(step, Promise.failed(error));
+            return null;
+        });
     }
 
     private static Need need(String[] step) {
@@ -190,6 +192,23 @@ class ScriptedBroker extends BrokerBench {
         private final Map<String, String> manners = new HashMap<>();
         private final Deque<Deferred<@Nullable Void>> unanswered = new ArrayDeque<>();
         private Deferred<@Nullable Void> end = Deferred.unbound();
+
+        private int lives;
+
+        /** The provider of the next life, whose number is a part of its name. */
+        Provider nextLife() {
+            var life = new FakeProvider(name + ++lives, manners);
+            providers.put(life.name, life);
+            return life;
+        }
+
+        private FakeProvider(String name, Map<String, String> manners) {
+            this.name = name;
+            this.manners.putAll(manners);
+            List.of("start", "stop", "check")
+                    .forEach(call -> this.manners.put(
+                            name + "." + call, manners.getOrDefault(name.replaceAll("\\d", "") + "." + call, "works")));
+        }
 
         FakeProvider(String name) {
             this.name = name;

@@ -48,7 +48,7 @@ class ServiceModuleTest {
                     var limit = Duration.ofSeconds(60);
                     try (var space = ActorSpace.create(SpaceSettings.named("ship"))) {
                         var broker = Broker.open(space, BrokerSettings.defaults());
-                        var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
+                        var services = broker.services();
                         services.publish(space, Greeter.class, "greeter", List.of("greeting"),
                                 () -> guest -> Promise.of("Hello, " + guest.name()));
                         try (var connection = services.connect(Greeter.class, Need.ofCapability("guest", "greeting"))) {

@@ -129,7 +129,7 @@ class ServiceSoakTest {
                 var callers = space(random, "callers");
                 var threads = Executors.newVirtualThreadPerTaskExecutor()) {
             var broker = Broker.open(brokers, BROKER.withObserver(event -> {}));
-            var services = new ActorServices(broker, "node", callers, event -> {});
+            var services = new ActorServices(broker, "node", callers, event -> {}, null);
             var now = services.publish(providers, Desk.class, "desk", List.of(), () -> new HoldingDesk(served))
                     .get(LONG)
                     .provider();

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
@@ -301,9 +300,10 @@ class DriverGoneTest {
                 .with("turner", BehaviourComponent.of("turner", "turning", List.of(), law))
                 .needing("turning", "player")
                 .needing("robot1", "turning");
-        var broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
+        var settings = ApplicationSettings.defaults()
+                .withBroker(BrokerSettings.defaults().withObserver(event -> {}));
         var application = new CompletableFuture<Application>();
-        space.execute(() -> application.complete(Application.start(plan, bus, broker, ApplicationSettings.defaults())));
+        space.execute(() -> application.complete(Application.start(plan, bus, settings)));
         application.get(5, TimeUnit.MINUTES).started().get(Duration.ofMinutes(5));
         awaitMoving(0);
     }

@@ -40,7 +40,7 @@ public final class HelloService {
     private static void inOneProcess() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("ship"))) {
             var broker = Broker.open(space, BrokerSettings.defaults());
-            var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
+            var services = broker.services();
             publish(services, space);
             System.out.println("in one process: " + call(services));
             broker.shutDown().get(LIMIT); // stops the actor
@@ -53,10 +53,10 @@ public final class HelloService {
                 var shore = ActorSpace.create(SpaceSettings.named("shore"));
                 var shipBus = NatsBus.open("ship", NatsSettings.at(server), BusSettings.on(ship));
                 var shoreBus = NatsBus.open("shore", NatsSettings.at(server), BusSettings.on(shore))) {
-            var shipBroker = Broker.open(ship, BrokerSettings.defaults());
-            publish(ActorServices.over(shipBus, shipBroker, ship, BrokerObserver.logging()), ship);
-            var shoreBroker = Broker.open(shore, BrokerSettings.defaults());
-            var guest = ActorServices.over(shoreBus, shoreBroker, shore, BrokerObserver.logging());
+            var shipBroker = Broker.over(shipBus, ship, BrokerSettings.defaults());
+            publish(shipBroker.services(), ship);
+            var shoreBroker = Broker.over(shoreBus, shore, BrokerSettings.defaults());
+            var guest = shoreBroker.services();
             System.out.println("over hosts: " + call(guest));
             shoreBroker.shutDown().get(LIMIT);
             shipBroker.shutDown().get(LIMIT);

@@ -38,7 +38,8 @@ class ActorServicesOnNatsTest extends ActorServicesTest {
                 Objects.requireNonNull(SERVER.get()).engine(UUID.randomUUID().toString());
         Bus opened = Bus.open("node", engine, BusSettings.on(test.space()));
         bus = opened;
-        return ActorServices.over(opened, broker, test.space(), events::add);
+        broker = Broker.over(opened, test.space(), WITHOUT_RESTART.withObserver(this::record));
+        return broker.services();
     }
 
     @AfterEach

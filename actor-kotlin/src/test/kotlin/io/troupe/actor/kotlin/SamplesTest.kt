@@ -5,7 +5,6 @@ import io.troupe.actor.Callback
 import io.troupe.actor.Promise
 import io.troupe.actor.SpaceSettings
 import io.troupe.actor.Topic
-import io.troupe.broker.ActorServices
 import io.troupe.broker.Broker
 import io.troupe.broker.BrokerSettings
 import io.troupe.broker.Need
@@ -122,7 +121,7 @@ class SamplesTest : InTestSpace() {
     @Test
     fun services() {
         val broker = Broker.open(space, BrokerSettings.defaults().withObserver { })
-        val services = ActorServices(broker, "ship", space) { }
+        val services = broker.services()
         services.publish<Thermometer>(space, "thermometer") { ThermometerActor() }
         val thermometer = services.connect<Thermometer>(Need.ofService("guest", "thermometer")).actor()
         assertThat(value { thermometer.read() }).isEqualTo(20.5)

@@ -82,14 +82,15 @@ class ServicesTest : InTestSpace() {
     private val losses = mutableListOf<String>()
 
     private fun services(host: String?): ActorServices {
-        val broker = Broker.open(space, BrokerSettings.defaults().withObserver { })
-        brokers += broker
+        val settings = BrokerSettings.defaults().withObserver { }
         if (host == null) {
-            return ActorServices(broker, "ship", space) { }
+            brokers += Broker.open("ship", space, settings)
+            return brokers.last().services()
         }
         val bus = pipe.open(host, BusSettings.on(space).withObserver { losses += it.toString() })
         buses += bus
-        return ActorServices.over(bus, broker, space) { }
+        brokers += Broker.over(bus, space, settings)
+        return brokers.last().services()
     }
 
     @AfterEach

@@ -78,8 +78,8 @@ class ActorsOverNatsTest {
                     name,
                     NatsSettings.at(server.address()),
                     BusSettings.on(space).withObserver(loss -> {}));
-            this.broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
-            this.services = ActorServices.over(bus, broker, space, event -> {});
+            this.broker = Broker.over(bus, space, BrokerSettings.defaults().withObserver(event -> {}));
+            this.services = broker.services();
         }
 
         void publish() throws Exception {

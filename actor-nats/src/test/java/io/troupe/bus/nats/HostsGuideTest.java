@@ -5,9 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.broker.ActorServices;
 import io.troupe.broker.Broker;
-import io.troupe.broker.BrokerObserver;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.Need;
 import io.troupe.bus.BusSettings;
@@ -37,8 +35,8 @@ class HostsGuideTest {
 
             var space = ActorSpace.create(SpaceSettings.named("ship"));
             var bus = NatsBus.open("ship", NatsSettings.at(address), BusSettings.on(space));
-            var broker = Broker.open(space, BrokerSettings.defaults());
-            var services = ActorServices.over(bus, broker, space, BrokerObserver.logging());
+            var broker = Broker.over(bus, space, BrokerSettings.defaults());
+            var services = broker.services();
             services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
 
             System.in.read();
@@ -50,8 +48,8 @@ class HostsGuideTest {
     private void shore(String address) throws Exception {
         var space = ActorSpace.create(SpaceSettings.named("shore"));
         var bus = NatsBus.open("shore", NatsSettings.at(address), BusSettings.on(space));
-        var broker = Broker.open(space, BrokerSettings.defaults());
-        var services = ActorServices.over(bus, broker, space, BrokerObserver.logging());
+        var broker = Broker.over(bus, space, BrokerSettings.defaults());
+        var services = broker.services();
         var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"))
                 .actor();
         show(greeter.greet("Ada").get(Duration.ofSeconds(10)));
@@ -91,8 +89,7 @@ class HostsGuideTest {
     private static void awaitOffers(String address) throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("probe"));
                 var bus = NatsBus.open("probe", NatsSettings.at(address), BusSettings.on(space))) {
-            var broker = Broker.open(space, BrokerSettings.defaults());
-            ActorServices.over(bus, broker, space, BrokerObserver.logging());
+            var broker = Broker.over(bus, space, BrokerSettings.defaults());
             while (broker.registered().get(Duration.ofSeconds(60)).isEmpty()) {
                 Thread.sleep(20);
             }

@@ -1,17 +1,17 @@
 package io.troupe.demo.app;
 
 import io.troupe.actor.Clock;
-import io.troupe.bus.Address;
+import io.troupe.broker.BrokerEvent;
+import io.troupe.broker.BrokerSettings;
+import io.troupe.broker.ServiceRecord;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusMessage;
 import io.troupe.bus.BusObserver;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.Loss;
-import io.troupe.services.component.ApplicationData;
-import io.troupe.services.component.ComponentObserver;
-import io.troupe.services.component.ComponentState;
 import io.troupe.services.component.application.ApplicationNode;
 import io.troupe.services.component.application.ApplicationPlan;
+import io.troupe.services.component.application.ApplicationSettings;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.function.BooleanSupplier;
@@ -72,7 +72,11 @@ final class AppOverBus {
     }
 
     private void serve(AppSpace space, Bus bus, BooleanSupplier stop) throws InterruptedException {
-        var node = space.call(() -> ApplicationNode.open(plan, bus, new NodeObserver(report)));
+        var settings = ApplicationSettings.defaults()
+                .withBroker(BrokerSettings.defaults().withObserver(event -> onBroker(event, bus.node())))
+                .withComponentObserver(report)
+                .withObserver(event -> {});
+        var node = space.call(() -> ApplicationNode.open(plan, bus, settings));
         report.serves(bus.node(), plan.componentsOn(bus.node()), plan.name());
         try {
             while (!stop.getAsBoolean() && !space.hasFailed()) {
@@ -84,33 +88,23 @@ final class AppOverBus {
         space.rethrowFailure();
     }
 
-    /** Reports the states of components too, because there is no broker on this node that does. */
-    private record NodeObserver(AppReport report) implements ComponentObserver {
-        @Override
-        public void changed(Address component, ComponentState state) {
-            switch (state) {
-                case RUNNING -> report.state("started", component);
-                case TERMINATED -> report.state("stopped", component);
-                default -> {
-                    // on the way to one of these, or reported as a problem
-                }
+    /** Reports what becomes of the components of this node; those of other nodes are reported there. */
+    private void onBroker(BrokerEvent event, String node) {
+        switch (event) {
+            case BrokerEvent.Started(ServiceRecord provider)
+            when isOn(node, provider) -> report.state("started", provider.provider());
+            case BrokerEvent.Stopped(ServiceRecord provider)
+            when isOn(node, provider) -> report.state("stopped", provider.provider());
+            case BrokerEvent.StopFailed(ServiceRecord provider, Throwable why)
+            when isOn(node, provider) -> report.problem(provider.provider(), "could not be terminated", why);
+            default -> {
+                // on the way to one of these, or reported as a problem of the component
             }
         }
+    }
 
-        @Override
-        public void dropped(Address component, ApplicationData<?> lost, long total) {
-            report.dropped(component, lost, total);
-        }
-
-        @Override
-        public void problem(Address component, String what, Throwable why) {
-            report.problem(component, what, why);
-        }
-
-        @Override
-        public void info(Address component, String what) {
-            report.info(component, what);
-        }
+    private static boolean isOn(String node, ServiceRecord provider) {
+        return provider.provider().node().equals(node);
     }
 
     /** Reports losses. Control messages are left out: their senders get the error, and report it. */

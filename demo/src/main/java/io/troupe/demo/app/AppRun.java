@@ -104,20 +104,21 @@ final class AppRun {
                 files.open();
             }
             report.watch(simulation.latest(), simulation::timeMicros);
-            var bus = Bus.inProcess(
+            try (var bus = Bus.inProcess(
                     "troupe",
                     BusSettings.on(space.space())
-                            .withObserver(monitor == null ? observer(plan) : monitor.bus(observer(plan))));
-            Application application = space.start(plan, bus, report, monitor);
-            try {
-                space.awaitStarted(application);
-                move(
-                        simulation,
-                        StrictMath.round(seconds * 1e6),
-                        realtime,
-                        () -> stop.getAsBoolean() || space.hasFailed());
-            } finally {
-                space.stop(application);
+                            .withObserver(monitor == null ? observer(plan) : monitor.bus(observer(plan))))) {
+                Application application = space.start(plan, bus, report, monitor);
+                try {
+                    space.awaitStarted(application);
+                    move(
+                            simulation,
+                            StrictMath.round(seconds * 1e6),
+                            realtime,
+                            () -> stop.getAsBoolean() || space.hasFailed());
+                } finally {
+                    space.stop(application);
+                }
             }
             space.rethrowFailure();
             if (monitor != null) {

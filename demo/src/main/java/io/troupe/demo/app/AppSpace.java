@@ -5,7 +5,6 @@ import io.troupe.actor.CallObserver;
 import io.troupe.actor.Clock;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
@@ -68,14 +67,14 @@ final class AppSpace implements AutoCloseable {
     /** @param monitor follows the providers and components; null = none */
     Application start(ApplicationPlan plan, Bus bus, AppReport report, @Nullable AppMonitor monitor)
             throws InterruptedException {
-        var broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {
-            if (monitor != null) {
-                monitor.onBroker(event);
-            }
-            report.onBroker(event);
-        }));
         var settings = ApplicationSettings.defaults()
-                .withComponentObserver(monitor == null ? report : monitor.components(report))
+                .withBroker(BrokerSettings.defaults().withObserver(event -> {
+                    if (monitor != null) {
+                        monitor.onBroker(event);
+                    }
+                    report.onBroker(event);
+                }))
+                .withComponentObserver(report)
                 .withObserver(report::onApplication);
         BusPort listener = bus.attach(":report");
         for (var component : plan.components().values()) {
@@ -86,7 +85,7 @@ final class AppSpace implements AutoCloseable {
                 }
             }
         }
-        return call(() -> Application.start(plan, bus, broker, settings));
+        return call(() -> Application.start(plan, bus, settings));
     }
 
     private static <T extends Record> void listen(

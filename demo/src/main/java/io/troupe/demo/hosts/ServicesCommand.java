@@ -2,9 +2,7 @@ package io.troupe.demo.hosts;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.broker.ActorServices;
 import io.troupe.broker.Broker;
-import io.troupe.broker.BrokerObserver;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.Health;
 import io.troupe.broker.ServiceOffer;
@@ -79,11 +77,9 @@ public final class ServicesCommand implements Callable<Integer> {
     private List<ServiceOffer> offers() throws InterruptedException {
         try (var space = ActorSpace.create(SpaceSettings.named("services"));
                 var node = bus.open(BusSettings.on(space))) {
-            Broker broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
+            Broker broker = Broker.over(node, space, BrokerSettings.defaults().withObserver(event -> {}));
             try {
-                return ActorServices.over(node, broker, space, BrokerObserver.logging())
-                        .offers(WAIT)
-                        .get(LIMIT);
+                return broker.services().offers(WAIT).get(LIMIT);
             } finally {
                 broker.shutDown().get(LIMIT);
             }

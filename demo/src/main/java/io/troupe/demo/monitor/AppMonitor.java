@@ -4,16 +4,12 @@ import static java.util.Objects.requireNonNull;
 
 import io.troupe.broker.BrokerEvent;
 import io.troupe.broker.ServiceRecord;
-import io.troupe.bus.Address;
 import io.troupe.bus.BusMessage;
 import io.troupe.bus.BusMessage.Purpose;
 import io.troupe.bus.BusObserver;
 import io.troupe.bus.Loss;
 import io.troupe.petri.wiring.ProtocolEvent;
 import io.troupe.petri.wiring.WiringMonitor;
-import io.troupe.services.component.ApplicationData;
-import io.troupe.services.component.ComponentObserver;
-import io.troupe.services.component.ComponentState;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
@@ -22,12 +18,12 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Follows an application: its providers at the broker, its components and what they publish, and each request on its
- * bus, each through its {@link LifecycleWirings declaration}.
+ * Follows an application: its components at the broker and what they publish, and each request on its bus, each through
+ * its {@link LifecycleWirings declaration}.
  *
  * <p><b>Threads.</b> Any thread; one lock guards it.
  *
- * <p><b>Cost.</b> Memory for each provider, component and open request.
+ * <p><b>Cost.</b> Memory for each provider and open request.
  *
  * <p><b>Errors.</b> The first violation is kept for {@link #check}. Providers are known by their names: one that gets
  * the name of another before that has stopped cannot be followed.
@@ -99,11 +95,11 @@ public final class AppMonitor {
         problem = monitor.violation().map(violation -> kind.component() + " " + name + ": " + violation);
     }
 
-    /** A message to all or to one, that is not answered; of a component, it is part of its life. */
+    /** A message to all or to one, that is not answered; of a provider, it is part of its life. */
     private synchronized void sent(BusMessage message) {
-        if (subjects.containsKey(
-                new Subject(LifecycleWirings.COMPONENT, message.from().toString()))) {
-            did(LifecycleWirings.COMPONENT, message.from().toString(), "sends");
+        String from = message.from().toString();
+        if (subjects.containsKey(new Subject(LifecycleWirings.PROVIDER, from))) {
+            did(LifecycleWirings.PROVIDER, from, "sends");
         }
     }
 
@@ -139,42 +135,6 @@ public final class AppMonitor {
 
     private void provider(ServiceRecord provider, String step) {
         did(LifecycleWirings.PROVIDER, provider.provider().toString(), step);
-    }
-
-    /** Observes components, and passes everything on. */
-    public ComponentObserver components(ComponentObserver inner) {
-        return new ComponentObserver() {
-            @Override
-            public void changed(Address component, ComponentState state) {
-                did(
-                        LifecycleWirings.COMPONENT,
-                        component.toString(),
-                        switch (state) {
-                            case NOT_INVOKED -> throw new IllegalArgumentException(component + " changed to " + state);
-                            case INVOKING -> "is being invoked";
-                            case RUNNING -> "runs";
-                            case TERMINATING -> "is being terminated";
-                            case TERMINATED -> "has been terminated";
-                            case FAILED -> "fails";
-                        });
-                inner.changed(component, state);
-            }
-
-            @Override
-            public void dropped(Address component, ApplicationData<?> lost, long total) {
-                inner.dropped(component, lost, total);
-            }
-
-            @Override
-            public void problem(Address component, String what, Throwable why) {
-                inner.problem(component, what, why);
-            }
-
-            @Override
-            public void info(Address component, String what) {
-                inner.info(component, what);
-            }
-        };
     }
 
     /** Observes the messages on a bus, and passes everything on. */

@@ -7,13 +7,16 @@ import io.troupe.petri.wiring.Wiring;
 import java.util.Set;
 
 /**
- * What a broker does with a provider, what an interface does with its component, and what happens to a request on a
- * bus, as declarations whose private steps are all observed.
+ * What a broker does with a provider, and what happens to a request on a bus, as declarations whose private steps are
+ * all observed.
  *
- * <p><b>Source.</b> The classes {@code Registration}, {@code ComponentLifecycle} and {@code PendingRequests}.
+ * <p><b>Source.</b> The classes {@code ManagedProvider} and {@code PendingRequests}.
  */
 enum LifecycleWirings {
-    /** The events of a broker about a provider. One that was withdrawn or replaced may still be stopped. */
+    /**
+     * The events of a broker about a provider, which as a component sends no values or notices unless it has been
+     * started. One that was withdrawn or replaced may still be stopped.
+     */
     PROVIDER(
             "provider",
             Protocol.of("provider")
@@ -27,6 +30,7 @@ enum LifecycleWirings {
                             does("leaves").then("left"))
                     .in(
                             "starting",
+                            does("sends").then("starting"),
                             does("has started").then("running"),
                             does("could not be started").then("failed"),
                             does("has stopped").then("idle"),
@@ -34,6 +38,7 @@ enum LifecycleWirings {
                             does("leaves").then("left while starting"))
                     .in(
                             "running",
+                            does("sends").then("running"),
                             does("is suspect").then("suspect"),
                             does("has failed").then("failed"),
                             does("has stopped").then("idle"),
@@ -41,6 +46,7 @@ enum LifecycleWirings {
                             does("leaves").then("left"))
                     .in(
                             "suspect",
+                            does("sends").then("suspect"),
                             does("has recovered").then("running"),
                             does("has failed").then("failed"),
                             does("has stopped").then("idle"),
@@ -48,57 +54,25 @@ enum LifecycleWirings {
                             does("leaves").then("left"))
                     .in(
                             "failed",
+                            does("sends").then("failed"),
                             does("is being started").then("starting"),
                             does("has stopped").then("idle"),
                             does("could not be stopped").then("failed"),
                             does("leaves").then("left"))
                     .in(
                             "left while starting",
+                            does("sends").then("left while starting"),
                             does("has started").then("left"),
                             does("could not be started").then("left"),
                             does("has stopped").then("left"),
                             does("could not be stopped").then("left"))
                     .in(
                             "left",
+                            does("sends").then("left"),
                             does("has failed").then("left"),
                             does("has stopped").then("left"),
                             does("could not be stopped").then("left"),
                             does("is registered").then("idle"))
-                    .build()),
-
-    /**
-     * The states of a component, which sends no values or notices unless it has been invoked. One whose start was late,
-     * after it had been given up, is terminated once more.
-     */
-    COMPONENT(
-            "component",
-            Protocol.of("component")
-                    .in("not invoked", does("is being invoked").then("invoking"))
-                    .in(
-                            "invoking",
-                            does("runs").then("running"),
-                            does("sends").then("invoking"),
-                            does("fails").then("failed"),
-                            does("is being terminated").then("terminating"))
-                    .in(
-                            "running",
-                            does("sends").then("running"),
-                            does("fails").then("failed"),
-                            does("is being terminated").then("terminating"))
-                    .in(
-                            "terminating",
-                            does("has been terminated").then("terminated"),
-                            does("sends").then("terminating"),
-                            does("fails").then("failed"))
-                    .in(
-                            "terminated",
-                            does("is being invoked").then("invoking"),
-                            does("is being terminated").then("terminating"))
-                    .in(
-                            "failed",
-                            does("is being invoked").then("invoking"),
-                            does("is being terminated").then("terminating"),
-                            does("has been terminated").then("terminated"))
                     .build()),
 
     /** A request on a bus: it is answered once. */
@@ -143,9 +117,8 @@ enum LifecycleWirings {
                         "has failed",
                         "has stopped",
                         "could not be stopped",
-                        "leaves");
-            case COMPONENT ->
-                Set.of("is being invoked", "runs", "sends", "fails", "is being terminated", "has been terminated");
+                        "leaves",
+                        "sends");
             case REQUEST -> Set.of("is sent", "is answered", "is rejected", "is forgotten");
         };
     }

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerEvent;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.MissingServiceException;
@@ -229,8 +228,10 @@ class AppCommandTest extends CommandLineBench {
         space.execute(() -> application.complete(Application.start(
                 plan,
                 Bus.inProcess("here", BusSettings.on(space)),
-                Broker.open(space, brokerSettings.withObserver(this::note)),
-                ApplicationSettings.defaults().withComponentObserver(observer).withObserver(this::note))));
+                ApplicationSettings.defaults()
+                        .withBroker(brokerSettings.withObserver(this::note))
+                        .withComponentObserver(observer)
+                        .withObserver(this::note))));
         Application begun = application.get(60, TimeUnit.SECONDS);
         begun.started().get(Duration.ofSeconds(60));
         return begun;

@@ -7,9 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.broker.ActorServices;
 import io.troupe.broker.Broker;
-import io.troupe.broker.BrokerObserver;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.ConnectionSettings;
 import io.troupe.broker.Need;
@@ -194,7 +192,7 @@ class CrowdTest {
                 var space = ActorSpace.create(SpaceSettings.named("crowd").withClock(simulation.clock()))) {
             var settings = RobotServicesActor.Settings.ofThePaper().withTable(table);
             var broker = Broker.open(space, BrokerSettings.defaults());
-            var actors = new ActorServices(broker, "robots", space, BrokerObserver.logging());
+            var actors = broker.services();
             var type = RobotServices.class;
             actors.publish(space, type, RobotServices.SERVICE, List.of(), () -> new RobotServicesActor(settings));
             var need = Need.ofService("arbitrator", RobotServices.SERVICE);

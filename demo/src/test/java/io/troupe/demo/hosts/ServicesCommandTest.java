@@ -6,14 +6,13 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.broker.ActorServices;
 import io.troupe.broker.Broker;
-import io.troupe.broker.BrokerObserver;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.Health;
 import io.troupe.broker.Need;
 import io.troupe.broker.ServiceOffer;
 import io.troupe.broker.ServiceRecord;
+import io.troupe.broker.Sharing;
 import io.troupe.bus.Address;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.nats.NatsBus;
@@ -76,8 +75,12 @@ class ServicesCommandTest extends CommandLineBench {
             var limited = NatsSettings.at(server.address()).withConnectLimit(LONG);
             try (var space = ActorSpace.create(SpaceSettings.named("host"));
                     var bus = NatsBus.open("host-a", limited, BusSettings.on(space))) {
-                var broker = Broker.open(space, BrokerSettings.defaults());
-                var services = ActorServices.over(bus, broker, space, BrokerObserver.logging(), 3);
+                var broker = Broker.over(
+                        bus,
+                        space,
+                        BrokerSettings.defaults(),
+                        Sharing.defaults().withRank(3));
+                var services = broker.services();
                 services.publish(
                         space, Greeter.class, "greeter", List.of("english"), () -> name -> Promise.of("hello " + name));
                 broker.require(Need.ofService("test", "greeter")).get(LONG);

@@ -30,19 +30,28 @@ import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentCommunication;
 import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.ComponentObserver;
-import io.troupe.services.component.ComponentState;
 import io.troupe.services.component.Conversion;
 import io.troupe.tools.Thorough;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** Providers that fail at random do what is declared; events that are not declared are found. */
 class AppMonitorTest {
     private static final int SEEDS = Thorough.times(20, 100);
+
+    private static final BrokerSettings FLAKY = BrokerSettings.defaults()
+            .withCheckEvery(Duration.ofSeconds(1))
+            .withCheckLimit(Duration.ofMillis(400))
+            .withMissedChecks(3)
+            .withStartLimit(Duration.ofSeconds(2))
+            .withStopLimit(Duration.ofSeconds(2))
+            .withNotifyLimit(Duration.ofSeconds(1))
+            .withRestartPauses(Duration.ofSeconds(1), Duration.ofSeconds(8));
 
     private record Nothing() {}
 
@@ -96,15 +105,7 @@ class AppMonitorTest {
     private static AppMonitor flakyBroker(int seed) {
         var random = new Random(seed);
         var monitor = new AppMonitor(true);
-        var settings = BrokerSettings.defaults()
-                .withCheckEvery(Duration.ofSeconds(1))
-                .withCheckLimit(Duration.ofMillis(400))
-                .withMissedChecks(3)
-                .withStartLimit(Duration.ofSeconds(2))
-                .withStopLimit(Duration.ofSeconds(2))
-                .withNotifyLimit(Duration.ofSeconds(1))
-                .withRestartPauses(Duration.ofSeconds(1), Duration.ofSeconds(8))
-                .withObserver(monitor::onBroker);
+        var settings = FLAKY.withObserver(monitor::onBroker);
         try (var test = new TestSpace()) {
             var broker = Broker.open(test.space(), settings);
             var gone = new boolean[3];
@@ -233,7 +234,7 @@ class AppMonitorTest {
                     new Ticks(),
                     Buffering.STREAM,
                     Buffering.STREAM);
-            var quiet = monitor.components(new ComponentObserver() {
+            var quiet = new ComponentObserver() {
                 @Override
                 public void dropped(Address from, ApplicationData<?> lost, long total) {}
 
@@ -242,7 +243,8 @@ class AppMonitorTest {
 
                 @Override
                 public void info(Address from, String what) {}
-            });
+            };
+            var broker = Broker.open(test.space(), FLAKY.withObserver(monitor::onBroker));
             var opened = new ArrayList<ComponentInterface<Tick, Tick>>();
             var user = new ArrayList<BusPort>();
             test.run(() -> {
@@ -251,18 +253,29 @@ class AppMonitorTest {
                 user.add(bus.attach("user"));
             });
             var ticker = opened.getFirst();
-            for (int step = 0; step < 60; step++) {
-                switch (random.nextInt(5)) {
-                    case 0 -> test.run(() -> ignore(ticker.start()));
-                    case 1 -> test.run(() -> ignore(ticker.stop()));
+            var gone = new AtomicBoolean(true);
+            for (int step = 0; step < 80; step++) {
+                switch (random.nextInt(6)) {
+                    case 0 -> {
+                        if (gone.getAndSet(false)) {
+                            test.run(() ->
+                                    ignore(broker.register("ticker", List.of(), ticker.address(), ticker::newLife)));
+                        }
+                        test.run(() -> ignore(broker.require(Need.ofService("user", "ticker"))));
+                    }
+                    case 1 ->
+                        test.run(() -> broker.withdraw(ticker.address())
+                                .handle((done, error) -> gone.compareAndSet(false, error == null)));
                     case 2 ->
                         test.run(() -> ignore(
                                 user.getFirst().ask(ticker.address(), NEXT, new Tick(1), Duration.ofSeconds(1))));
+                    case 3 -> test.advance(Duration.ofMillis(100 + random.nextInt(900)));
                     default -> test.run(communication::act);
                 }
             }
             test.run(ticker::close);
             test.run(bus::close);
+            test.space().close();
             test.takeProblems();
             test.takeDeadLetters();
         }
@@ -270,18 +283,19 @@ class AppMonitorTest {
     }
 
     @Test
-    void flakyComponents_andTheirRequests_conform_andEachStepWouldBeMissed() {
-        var components = new Conformance(LifecycleWirings.COMPONENT.wiring(), LifecycleWirings.COMPONENT.steps());
+    void flakyComponents_andTheirRequests_conform_andEachStepThatTheyNeedWouldBeMissed() {
+        var components = new Conformance(LifecycleWirings.PROVIDER.wiring(), LifecycleWirings.PROVIDER.steps());
         var requests = new Conformance(LifecycleWirings.REQUEST.wiring(), LifecycleWirings.REQUEST.steps());
         for (int seed = 1; seed <= SEEDS; seed++) {
             var monitor = flakyComponent(seed);
             monitor.check();
-            monitor.runs(LifecycleWirings.COMPONENT).forEach(components::add);
+            monitor.runs(LifecycleWirings.PROVIDER).forEach(components::add);
             monitor.runs(LifecycleWirings.REQUEST).forEach(requests::add);
         }
+        assertThat(requests.unused()).as("steps that no run takes").isEmpty();
+        assertThat(components.used()).extracting(Object::toString).anyMatch(step -> step.contains("sends"));
         for (var runs : List.of(components, requests)) {
             assertThat(runs.problems()).isEmpty();
-            assertThat(runs.unused()).as("steps that no run takes").isEmpty();
             assertThat(runs.used())
                     .allSatisfy(step -> assertThat(runs.without(step))
                             .as("the declaration without " + step)
@@ -332,39 +346,32 @@ class AppMonitorTest {
     }
 
     @Test
-    void componentThatRunsWithoutBeingInvoked_isFound() {
+    void providerThatRunsWithoutBeingStarted_isFound() {
         var monitor = new AppMonitor();
-        var components = monitor.components(ComponentObserver.logging());
-        components.changed(new Address("test", "hall"), ComponentState.INVOKING);
-        components.changed(new Address("test", "hall"), ComponentState.RUNNING);
-        monitor.check();
-        components.changed(new Address("test", "lamp"), ComponentState.RUNNING);
+        monitor.onBroker(new BrokerEvent.Registered(CLOCK));
+        monitor.onBroker(new BrokerEvent.Started(CLOCK));
         assertThatThrownBy(monitor::check)
-                .hasMessageContaining("component test/lamp: component: runs is not allowed: component is in"
-                        + " \"not invoked\", where it may do \"is being invoked\"");
+                .hasMessageContaining("provider test/clock: provider: has started is not allowed: provider is in"
+                        + " \"idle\", where it may do \"is being started\"");
     }
 
     @Test
-    void valueOfAComponentThatWasTerminated_isFound() {
+    void valueOfAComponentThatWasStopped_isFound() {
         var monitor = new AppMonitor();
-        var components = monitor.components(ComponentObserver.logging());
         var bus = monitor.bus(BusObserver.logging());
-        var hall = new Address("test", "hall");
-        for (var state : List.of(
-                ComponentState.INVOKING,
-                ComponentState.RUNNING,
-                ComponentState.TERMINATING,
-                ComponentState.TERMINATED)) {
-            monitor.check();
-            components.changed(hall, state);
-        }
+        var value = new BusMessage.Data(CLOCK.provider(), new Purpose.Publication("lamps"), 2, new Nothing());
+        monitor.onBroker(new BrokerEvent.Registered(CLOCK));
+        monitor.onBroker(new BrokerEvent.Starting(CLOCK));
+        monitor.onBroker(new BrokerEvent.Started(CLOCK));
+        bus.passed(value);
+        monitor.check();
+        monitor.onBroker(new BrokerEvent.Stopped(CLOCK));
         bus.passed(
                 new BusMessage.Data(new Address("test", "other"), new Purpose.Publication("lamps"), 1, new Nothing()));
         monitor.check();
-        bus.passed(new BusMessage.Data(hall, new Purpose.Publication("lamps"), 2, new Nothing()));
+        bus.passed(value);
         assertThatThrownBy(monitor::check)
-                .hasMessageContaining("component test/hall: component: sends is not allowed: component is in"
-                        + " \"terminated\", where it may do \"is being invoked\", or do \"is being terminated\"");
+                .hasMessageContaining("provider test/clock: provider: sends is not allowed: provider is in \"idle\"");
     }
 
     @Test

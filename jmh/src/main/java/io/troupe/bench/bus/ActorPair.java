@@ -45,8 +45,8 @@ final class ActorPair implements BusPair {
 
     static ActorServices services(Bus bus, ActorSpace space) {
         BrokerObserver silent = event -> {}; // a call that fails ends the comparison
-        var broker = Broker.open(space, BrokerSettings.defaults().withObserver(silent));
-        return ActorServices.over(bus, broker, space, silent);
+        return Broker.over(bus, space, BrokerSettings.defaults().withObserver(silent))
+                .services();
     }
 
     static void publishEcho(ActorServices services, ActorSpace space) throws Exception {

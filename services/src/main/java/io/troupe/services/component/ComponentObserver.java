@@ -4,15 +4,13 @@ import io.troupe.bus.Address;
 import java.lang.System.Logger.Level;
 
 /**
- * Listener for state changes, losses and problems of components; used for logs, reports and tests.
+ * Listener for losses and problems of components; used for logs, reports and tests. Their starts, failures and stops
+ * are events of the broker.
  *
  * <p><b>Threads.</b> Usually the space of the interface. {@link #dropped}, {@link #problem} and {@link #info} may be
  * called on a thread of the component.
  */
 public interface ComponentObserver {
-    /** The state of the component has changed. */
-    default void changed(Address component, ComponentState state) {}
-
     /**
      * A full buffer has dropped a value.
      *
@@ -26,7 +24,7 @@ public interface ComponentObserver {
     /** A message from the component or its interface that is not a failure. */
     void info(Address component, String what);
 
-    /** Logs problems, losses and messages; state changes are not logged. */
+    /** Logs problems, losses and messages. */
     static ComponentObserver logging() {
         var log = System.getLogger(ComponentObserver.class.getName());
         return new ComponentObserver() {

@@ -8,6 +8,7 @@ import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerObserver;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.ServiceRecord;
+import io.troupe.broker.Sharing;
 import io.troupe.bus.Bus;
 import java.time.Duration;
 import java.util.Collection;
@@ -62,8 +63,9 @@ public final class RobotNode implements AutoCloseable {
      * @param rank the lower, the earlier its providers are chosen among equals
      */
     public static RobotNode open(Bus bus, ActorSpace space, BrokerObserver observer, int rank) {
-        var broker = Broker.open(space, BROKER.withObserver(observer));
-        return new RobotNode(bus, broker, ActorServices.over(bus, broker, space, observer, rank));
+        var broker = Broker.over(
+                bus, space, BROKER.withObserver(observer), Sharing.defaults().withRank(rank));
+        return new RobotNode(bus, broker, broker.services());
     }
 
     Bus bus() {

@@ -199,8 +199,8 @@ public final class SubsumptionRun implements AutoCloseable {
             SubsumptionTable table,
             Supplier<? extends RobotServices> provider,
             Consumer<Throwable> failed) {
-        BrokerObserver observer = event -> observe(event, failed);
-        var actors = new ActorServices(Broker.open(space, BROKER.withObserver(observer)), "robots", space, observer);
+        var broker = Broker.open("robots", space, BROKER.withObserver(event -> observe(event, failed)));
+        ActorServices actors = broker.services();
         List<String> names = table.services().stream().map(Service::name).toList();
         actors.publish(space, RobotServices.class, RobotServices.SERVICE, names, provider);
         Map<String, RobotServices> byService = new LinkedHashMap<>();

@@ -1,6 +1,7 @@
 package io.troupe.services.component;
 
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.broker.BrokerSettings;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
@@ -15,6 +16,7 @@ public abstract class ComponentBench {
     protected final Bus bus = Bus.inProcess("here", BusSettings.on(test.space()));
     protected final BusPort user = bus.attach("user");
     protected final RecordingObserver notes = new RecordingObserver();
+    private final ComponentBroker broker = new ComponentBroker(test.space(), BrokerSettings.defaults(), notes);
 
     @AfterEach
     protected void nothingIsLeftOnTheBus() {
@@ -23,14 +25,15 @@ public abstract class ComponentBench {
         test.close();
     }
 
-    protected <I, O> ComponentInterface<I, O> open(String name, Component<I, O> component, ComponentObserver observer) {
-        var opened = new ArrayList<ComponentInterface<I, O>>();
-        test.run(() -> opened.add(ComponentInterface.open(bus, name, component, observer)));
+    protected <I, O> ComponentBroker.Registered<I, O> open(
+            String name, Component<I, O> component, ComponentObserver observer) {
+        var opened = new ArrayList<ComponentBroker.Registered<I, O>>();
+        test.run(() -> opened.add(broker.register(ComponentInterface.open(bus, name, component, observer))));
         return opened.getFirst();
     }
 
     /** Opens and starts a component, and discards the notes about it. */
-    protected <I, O> ComponentInterface<I, O> start(String name, Component<I, O> component) {
+    protected <I, O> ComponentBroker.Registered<I, O> start(String name, Component<I, O> component) {
         var provider = open(name, component, notes);
         test.get(provider.start());
         notes.take();

@@ -6,6 +6,7 @@ import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
+import io.troupe.broker.Health;
 import io.troupe.broker.ProviderException;
 import io.troupe.bus.Address;
 import io.troupe.bus.BusTopic;
@@ -16,11 +17,8 @@ import io.troupe.services.component.DataConversion.Losses;
 import io.troupe.services.component.ScriptedComponent.Number;
 import java.lang.reflect.Proxy;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -28,11 +26,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.NullSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The three units of a component interface, with a scripted component on a manually driven space. */
 class ComponentInterfaceTest extends ComponentBench {
     private static final Duration LIMIT = Duration.ofSeconds(1);
+    private static final Duration START_LIMIT = Duration.ofSeconds(10);
     private static final Buffering TWO = new Buffering(2, OverflowPolicy.DROP_OLDEST);
 
     private final ScriptedComponent<String, String> script = ScriptedComponent.counter();
@@ -42,11 +42,11 @@ class ComponentInterfaceTest extends ComponentBench {
         return script.component("counting", ScriptedComponent.IN, ScriptedComponent.OUT);
     }
 
-    private ComponentInterface<String, String> opened() {
+    private ComponentBroker.Registered<String, String> opened() {
         return open("counter", component(), notes);
     }
 
-    private ComponentInterface<String, String> running() {
+    private ComponentBroker.Registered<String, String> running() {
         return start("counter", component());
     }
 
@@ -82,6 +82,10 @@ class ComponentInterfaceTest extends ComponentBench {
         assertThat(heard).extracting(Number::value).containsExactly(values);
     }
 
+    private void assertState(ComponentBroker.Registered<?, ?> provider, Health health) {
+        assertThat(test.get(provider.health())).isEqualTo(health);
+    }
+
     private void assertError(Promise<?> promise, String message) {
         assertThat(test.error(promise)).isInstanceOf(ProviderException.class).hasMessage(message);
     }
@@ -97,7 +101,7 @@ class ComponentInterfaceTest extends ComponentBench {
         var half = new Operation<>("half", Number.class, Number.class, Operation.Kind.DATA);
         var provider = opened();
         test.run(() -> provider.answer(half, number -> Promise.of(new Number(number.value() / 2))));
-        assertThat(provider.state()).isEqualTo(ComponentState.NOT_INVOKED);
+        assertState(provider, Health.NOT_STARTED);
         assertThat(test.error(ask(half, new Number(8))))
                 .isInstanceOf(RemoteFailure.class)
                 .hasMessageContaining("here/counter has not been invoked");
@@ -109,49 +113,21 @@ class ComponentInterfaceTest extends ComponentBench {
         test.get(provider.stop());
         assertThat(script.calls).containsExactly("invoke", "1", "2", "terminate");
         assertHeard(3);
-        assertThat(notes.take())
-                .containsExactly("counter INVOKING", "counter RUNNING", "counter TERMINATING", "counter TERMINATED");
+        assertThat(notes.take()).containsExactly("counter Starting", "counter Started", "counter Stopped");
     }
 
-    @Test
-    void control_comesAsMessagesOverTheBus_alsoFromARemoteProvider_whichHearsWhatIsWrong() {
-        var provider = opened();
-        assertThat(test.get(ask(Control.HEALTH, new Control.AskHealth("user"))))
-                .isEqualTo(new Control.HealthReport("counter", "NOT_INVOKED", "here/counter has not been invoked", 0));
-        assertThat(test.get(ask(Control.INVOKE, new Control.Invoke("user"))))
-                .isEqualTo(new Control.Done("counter", "RUNNING", 1));
-        var healthy = test.get(ask(Control.HEALTH, new Control.AskHealth("user")));
-        assertThat(healthy.isHealthy()).isTrue();
-        assertThat(test.get(ask(Control.TERMINATE, new Control.Terminate("user"))))
-                .isEqualTo(new Control.Done("counter", "TERMINATED", 1));
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
-        var remote = new RemoteProvider(user, provider.address(), LIMIT);
-        test.get(remote.start());
-        test.get(remote.check());
-        script.health = () -> Promise.failed(new IllegalStateException("out of numbers"));
-        assertError(remote.check(), "out of numbers");
-        script.health = () -> Promise.failed(new IllegalStateException(""));
-        assertError(remote.check(), "java.lang.IllegalStateException");
-        test.get(remote.stop());
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
-    }
-
-    @Test
-    void lateControl_ofAnEarlierLife_doesNotHitALaterOne() {
-        var provider = opened();
-        var remote = new RemoteProvider(user, provider.address(), LIMIT);
-        test.get(remote.start());
-        fail("power");
-        assertError(remote.check(), "here/counter has failed: power");
-        var again = new RemoteProvider(user, provider.address(), LIMIT);
-        test.get(again.start());
-        test.get(remote.stop());
-        assertThat(provider.state()).as("after the end of life 1").isEqualTo(ComponentState.RUNNING);
-        assertError(remote.check(), "life 1 of here/counter has ended, and life 2 runs");
-        test.get(again.check());
-        assertThat(test.get(ask(Control.TERMINATE, new Control.Terminate("user", 2))))
-                .isEqualTo(new Control.Done("counter", "TERMINATED", 2));
-        notes.take();
+    @ParameterizedTest
+    @NullSource
+    @ValueSource(strings = {"", " ", "out of numbers"})
+    void checkThatFails_isAFailure_alsoWithoutAMessage(@Nullable String message) {
+        var provider = running();
+        script.health = () -> Promise.failed(new IllegalStateException(message));
+        test.advance(Duration.ofSeconds(1));
+        assertState(provider, Health.FAILED);
+        assertThat(script.calls).containsExactly("invoke", "terminate");
+        script.health = Promise::done;
+        test.get(provider.start());
+        assertState(provider, Health.WELL);
     }
 
     // ---- the buffer
@@ -189,8 +165,8 @@ class ComponentInterfaceTest extends ComponentBench {
         publish(13);
         test.run(() -> slow.resolve(null));
         test.get(started); // it did start
-        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
-        assertThat(notes.take()).anySatisfy(note -> assertThat(note).contains("has failed"));
+        assertState(provider, Health.FAILED);
+        assertThat(notes.take()).contains("counter has failed: 13 is bad luck", "counter Started", "counter Failed");
     }
 
     @Test
@@ -245,7 +221,7 @@ class ComponentInterfaceTest extends ComponentBench {
         };
         var provider = running();
         test.get(provider.stop());
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
+        assertError(provider.check(), "here/counter has been terminated");
         assertHeard(1, 2);
         assertThat(notes.take()).anyMatch(note -> note.startsWith("counter could not publish other"));
         assertThat(provider.conversion().losses().refused()).isEqualTo(1);
@@ -253,10 +229,10 @@ class ComponentInterfaceTest extends ComponentBench {
 
     // ---- components that fail
 
-    private void assertInvocationFails(ComponentInterface<?, ?> provider, String why) {
+    private void assertInvocationFails(ComponentBroker.Registered<?, ?> provider, String why) {
         assertError(provider.start(), "here/counter has failed: " + why);
         assertError(provider.check(), "here/counter has failed: " + why);
-        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
+        assertState(provider, Health.FAILED);
     }
 
     @Test
@@ -292,41 +268,37 @@ class ComponentInterfaceTest extends ComponentBench {
         assertError(provider.check(), "here/counter has failed: " + why);
         publish(15);
         assertThat(script.calls).hasSize(4);
-        assertThat(notes.take()).containsExactly("counter FAILED", "counter has failed: " + why);
+        assertThat(notes.take()).containsExactly("counter has failed: " + why, "counter Failed");
     }
 
     @Test
     void componentThatDies_hasFailed_andSaysSoAtOnce_itsLastWordsAreStillPublished() {
         var provider = running();
-        var end = provider.whenEnded();
-        end.handle((ended, error) -> null);
-        test.runQueued();
+        notes.take();
         test.run(() -> {
             script.signals().data("7");
             script.signals().failed(new IllegalStateException("burnt out"));
         });
         assertHeard(7);
         assertError(provider.check(), "here/counter has failed: burnt out");
-        assertError(end, "here/counter has failed: burnt out");
+        assertThat(notes.take()).containsExactly("counter has failed: burnt out", "counter Failed");
         test.get(provider.stop());
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
+        assertThat(script.calls).containsExactly("invoke", "terminate");
     }
 
     @Test
     void lifeThatIsNotTerminated_isTerminatedAgain_andNoneBeginsBesideIt() {
         script.terminate = () -> Promise.failed(new IllegalStateException("process still alive"));
         var provider = running();
-        assertError(provider.stop(), "here/counter has failed: process still alive");
-        assertError(provider.stop(), "here/counter has failed: process still alive");
-        assertError(
-                provider.start(), "here/counter cannot be invoked: its life before has not ended: process still alive");
-        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
-        assertThat(script.calls).containsExactly("invoke", "terminate", "terminate", "terminate");
+        String stuck = "java.lang.IllegalStateException: process still alive";
+        assertError(provider.stop(), "here/counter has not stopped: " + stuck);
+        assertError(provider.start(), "here/counter cannot start: its previous life could not be stopped: " + stuck);
+        assertThat(script.calls).containsExactly("invoke", "terminate", "terminate");
         script.terminate = Promise::done;
         test.get(provider.start());
-        assertThat(script.calls.subList(4, script.calls.size())).containsExactly("terminate", "invoke");
+        assertThat(script.calls.subList(3, script.calls.size())).containsExactly("terminate", "invoke");
         test.get(provider.stop());
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
+        assertThat(notes.take()).contains("counter Stopped");
     }
 
     @Test
@@ -334,10 +306,9 @@ class ComponentInterfaceTest extends ComponentBench {
         script.terminate = () -> Promise.failed(new IllegalStateException("process still alive"));
         var provider = running();
         fail("burnt out");
-        assertThat(test.error(provider.start())).hasMessageEndingWith("has not ended: process still alive");
+        assertThat(test.error(provider.start())).hasMessageEndingWith("process still alive");
         script.terminate = Promise::done;
         test.get(provider.stop());
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
         assertThat(script.calls).containsExactly("invoke", "terminate", "terminate", "terminate");
         test.get(provider.start());
     }
@@ -347,14 +318,30 @@ class ComponentInterfaceTest extends ComponentBench {
         var late = slowInvocation();
         var provider = opened();
         var started = provider.start();
-        test.get(provider.stop());
-        assertError(started, "here/counter was terminated while it was being invoked");
+        test.runQueued();
+        test.advance(START_LIMIT);
+        assertError(started, "here/counter did not start within PT10S");
         notes.take();
         test.run(() -> late.resolve(null));
         assertThat(script.calls).containsExactly("invoke", "terminate", "terminate");
         assertThat(notes.take())
                 .containsExactly("counter ran only after it had been given up, and is terminated again");
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
+        assertState(provider, Health.FAILED);
+    }
+
+    @Test
+    void invocationThatIsCompletedDuringTheTermination_isTerminatedOnceMore() {
+        var late = slowInvocation();
+        var slow = slowTermination();
+        var provider = opened();
+        provider.start().handle((started, error) -> null);
+        test.runQueued();
+        test.advance(START_LIMIT);
+        assertThat(script.calls).containsExactly("invoke", "terminate");
+        test.run(() -> late.resolve(null));
+        script.terminate = Promise::done;
+        test.run(() -> slow.resolve(null));
+        assertThat(script.calls).containsExactly("invoke", "terminate", "terminate");
     }
 
     @Test
@@ -366,7 +353,7 @@ class ComponentInterfaceTest extends ComponentBench {
         fail("too late to fail");
         assertThat(heard).isEmpty();
         assertThat(notes.take()).contains("counter gave data after its end: 9");
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
+        assertError(provider.check(), "here/counter has been terminated");
         test.get(provider.start());
         test.run(() -> past.failed(new IllegalStateException("from the grave")));
         test.get(provider.check());
@@ -374,60 +361,14 @@ class ComponentInterfaceTest extends ComponentBench {
         assertHeard(1);
     }
 
-    // ---- observers that act
-
-    private ComponentInterface<String, String> watched(ComponentState when, Consumer<ComponentInterface<?, ?>> action) {
-        var watched = new ArrayList<ComponentInterface<String, String>>();
-        var once = new AtomicBoolean();
-        watched.add(open("counter", component(), new RecordingObserver() {
-            @Override
-            public void changed(Address component, ComponentState state) {
-                if (state == when && once.compareAndSet(false, true)) {
-                    action.accept(watched.getFirst());
-                }
-            }
-        }));
-        return watched.getFirst();
-    }
-
-    @Test
-    void observerThatRestartsAFailedComponent_beginsTheNextLifeAfterTheFailedOne() {
-        var provider = watched(ComponentState.FAILED, ComponentInterface::start);
-        test.get(provider.start());
-        fail("burnt out");
-        assertThat(provider.state()).isEqualTo(ComponentState.RUNNING);
-        publish(1);
-        assertThat(script.calls).containsExactly("invoke", "terminate", "invoke", "1");
-    }
-
-    @Test
-    void observerThatRestartsATerminatedComponent_beginsOneLife_alsoIfAStartWaits() {
-        var slow = slowTermination();
-        var provider = watched(ComponentState.TERMINATED, ComponentInterface::start);
-        test.get(provider.start());
-        var stopped = provider.stop();
-        var started = provider.start();
-        test.run(() -> slow.resolve(null));
-        assertThat(stopped.isDone() && started.isDone()).isTrue();
-        assertThat(provider.state()).isEqualTo(ComponentState.RUNNING);
-        publish(1);
-        assertThat(script.calls).containsExactly("invoke", "terminate", "invoke", "1");
-    }
-
-    @Test
-    void observerThatStopsAComponentThatIsBeingInvoked_leavesNothingThatRuns() {
-        var provider = watched(ComponentState.INVOKING, ComponentInterface::stop);
-        assertError(provider.start(), "here/counter was terminated while it was being invoked");
-        assertThat(script.calls).containsExactly("terminate");
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
-    }
+    // ---- observers
 
     @Test
     void observerThatThrows_changesNothing() {
         var throwing = Proxy.newProxyInstance(
                 getClass().getClassLoader(), new Class<?>[] {ComponentObserver.class}, (proxy, method, arguments) -> {
-                    throw method.getName().equals("changed")
-                            ? new AssertionError("changed")
+                    throw method.getName().equals("info")
+                            ? new AssertionError("info")
                             : new IllegalStateException(method.getName());
                 });
         var provider = open("counter", component(), (ComponentObserver) throwing);
@@ -436,7 +377,7 @@ class ComponentInterfaceTest extends ComponentBench {
         test.run(() -> script.signals().info("something"));
         test.get(provider.stop());
         assertThat(script.calls).containsExactly("invoke", "1", "terminate");
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
+        assertThat(notes.take()).contains("counter Stopped");
     }
 
     // ---- calls that meet
@@ -480,7 +421,7 @@ class ComponentInterfaceTest extends ComponentBench {
         provider.stop();
         var started = provider.start();
         var stopped = provider.stop();
-        assertError(started, "here/counter was terminated while it waited to be invoked");
+        assertError(started, "here/counter was not started: it was withdrawn or replaced before that");
         test.run(() -> slow.resolve(null));
         assertThat(stopped.isDone()).isTrue();
         assertThat(script.calls).containsExactly("invoke", "terminate");
@@ -493,27 +434,23 @@ class ComponentInterfaceTest extends ComponentBench {
         fail("burnt out");
         var started = provider.start();
         var stopped = provider.stop();
-        assertError(started, "here/counter was terminated while it waited to be invoked");
+        assertError(started, "here/counter was not started: it was withdrawn or replaced before that");
         assertThat(stopped.isDone()).isFalse();
-        test.run(() -> slow.reject(new IllegalStateException("stuck")));
-        assertError(stopped, "here/counter has failed: stuck");
+        test.run(() -> slow.resolve(null));
+        test.get(stopped);
         assertThat(script.calls).containsExactly("invoke", "terminate");
-        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
-        assertThat(notes.take()).contains("counter could not be terminated after it had failed: stuck");
     }
 
     @Test
-    void closedInterface_startsNothing_howeverItIsAsked() {
+    void closedInterface_startsNothing_andItsUsersAreNotifiedAtOnce() {
         var slow = slowTermination();
         var provider = running();
         test.run(provider::close);
-        var overTheBus = ask(Control.INVOKE, new Control.Invoke("user"));
+        assertThat(notes.take()).contains("counter Failed");
+        provider.stop();
         assertError(provider.start(), "here/counter has left the bus, expected an open interface");
-        assertThat(test.error(overTheBus))
-                .hasMessageContaining("asked here/counter for component/invoke: there is no such port");
         test.run(() -> slow.resolve(null));
         assertThat(script.calls).containsExactly("invoke", "terminate");
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
@@ -525,7 +462,7 @@ class ComponentInterfaceTest extends ComponentBench {
         opened();
         notes.take();
         test.run(() -> slow.reject(new IllegalStateException("stuck")));
-        assertThat(notes.take()).contains("counter could not be terminated: here/counter has failed: stuck");
+        assertThat(notes.take()).contains("counter could not be terminated: stuck");
     }
 
     @Test

@@ -12,11 +12,6 @@ public class RecordingObserver implements ComponentObserver {
     private final Queue<String> notes = new ConcurrentLinkedQueue<>(); // processes have threads
 
     @Override
-    public void changed(Address component, ComponentState state) {
-        info(component, state.toString());
-    }
-
-    @Override
     public void dropped(Address component, ApplicationData<?> lost, long total) {
         info(component, "dropped " + lost.value() + ", " + total + " so far");
     }

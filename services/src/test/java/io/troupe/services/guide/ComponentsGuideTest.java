@@ -8,7 +8,6 @@ import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.Need;
 import io.troupe.broker.ProviderException;
-import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
@@ -22,7 +21,6 @@ import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentCommunication;
 import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.ComponentObserver;
-import io.troupe.services.component.Control;
 import io.troupe.services.component.Conversion;
 import io.troupe.services.component.application.Application;
 import io.troupe.services.component.application.ApplicationPlan;
@@ -30,7 +28,6 @@ import io.troupe.services.component.application.ApplicationSettings;
 import io.troupe.services.component.kinds.BehaviourComponent;
 import io.troupe.services.component.kinds.PlayerComponent;
 import io.troupe.services.subsumption.FakeRobots;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -131,19 +128,13 @@ class ComponentsGuideTest {
                     Buffering.LATEST,
                     Buffering.STREAM);
             var hall = ComponentInterface.open(bus, "hall", component, ComponentObserver.logging());
-            broker.register("thermometer", List.of("senses"), hall.address(), hall);
+            broker.register("thermometer", List.of("senses"), hall.address(), hall::newLife);
         });
         test.run(() -> {
             BusPort display = bus.attach("display");
             display.subscribe(TEMPERATURE, (temperature, from) -> show(from + ": " + temperature.celsius()));
             display.publish(LABEL, new Label("outside"));
-
-            var hall = new Address("house", "hall");
-            var limit = Duration.ofSeconds(1);
-            display.ask(hall, Control.HEALTH, new Control.AskHealth("display"), limit)
-                    .then(report -> show(report.problem()));
         });
-        assertThat(shown).containsExactly("house/hall has not been invoked");
         test.get(broker.require(Need.ofCapability("guide", "senses")));
         test.run(() -> thermometer.reader.accept(212.0));
         assertThat(shown).last().isEqualTo("house/hall: 100.0");
@@ -163,7 +154,7 @@ class ComponentsGuideTest {
                     .needing("two-robots", "player")
                     .needing("robot1", "wallFollower")
                     .needing("robot2", "spaceWanderer");
-            var application = Application.start(plan, bus, broker, ApplicationSettings.defaults());
+            var application = Application.start(plan, bus, ApplicationSettings.defaults());
             started.add(application);
         });
         test.get(started.getFirst().started());

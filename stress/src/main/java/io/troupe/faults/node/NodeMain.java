@@ -2,7 +2,6 @@ package io.troupe.faults.node;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.broker.ActorServices;
 import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.bus.Bus;
@@ -92,8 +91,8 @@ public final class NodeMain {
         this.callers = new Callers(work, history, process, seed);
         this.bus = open(server);
         publications.subscribe(bus, subscribers);
-        var broker = Broker.open(work, BrokerSettings.defaults().withObserver(event -> {}));
-        var services = ActorServices.over(bus, broker, work, event -> {});
+        var broker = Broker.over(bus, work, BrokerSettings.defaults().withObserver(event -> {}));
+        var services = broker.services();
         services.publish(handlers, Tool.class, "tool", List.of("at-" + node), () -> new Tool.ToolActor(history));
         onWork(() -> callers.start(services, Hosts.NODES));
         var subscribed = new CountDownLatch(1);

@@ -4,9 +4,7 @@ import io.troupe.actor.ActorSpace
 import io.troupe.actor.SpaceSettings
 import io.troupe.actor.kotlin.connect
 import io.troupe.actor.kotlin.publish
-import io.troupe.broker.ActorServices
 import io.troupe.broker.Broker
-import io.troupe.broker.BrokerObserver
 import io.troupe.broker.BrokerSettings
 import io.troupe.broker.Need
 import kotlinx.coroutines.runBlocking
@@ -19,7 +17,7 @@ class GuideServicesTest {
     fun greeter_isAServiceAtABroker() {
         ActorSpace.create(SpaceSettings.named("ship")).use { space ->
             val broker = Broker.open(space, BrokerSettings.defaults())
-            val services = ActorServices(broker, "ship", space, BrokerObserver.logging())
+            val services = broker.services()
             services.publish<Greeter>(space, "greeter") { PoliteGreeter() }
             val greeter = services.connect<Greeter>(Need.ofService("guest", "greeter")).actor()
             greeter.remember("Ada")

@@ -4,9 +4,9 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.broker.Broker;
+import io.troupe.broker.BrokerEvent;
 import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;
-import io.troupe.broker.Provider;
 import io.troupe.broker.ServiceRecord;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
@@ -14,22 +14,28 @@ import io.troupe.bus.BusPort;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.application.ApplicationPlan.Replacement;
+import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A running application.
  *
- * <p><b>Role.</b> Attaches the components of its plan to the bus, registers them with the broker, and requests all
- * needs of the plan from the broker. The broker starts the components, and only those that are needed. The application
- * then connects each user with the provider that the broker selects.
+ * <p><b>Role.</b> Attaches the components of its plan to the bus, registers them with a broker that it opens, and
+ * requests all needs of the plan from the broker. The broker starts the components, and only those that are needed. The
+ * application then connects each user with the provider that the broker selects. Components of other nodes are offered
+ * by the brokers of these nodes ({@link ApplicationNode}), and are found, started, checked and lost like other
+ * providers of other processes.
  *
  * <p><b>Threads.</b> One actor space, on which it is started and stopped, and on which it notifies its observers. The
- * application owns bus and broker, and closes them at its end.
+ * bus is left open.
  *
  * <p><b>Order.</b> Needs are met one after the other, in the order of the plan. The times of replacements count from
  * the moment when all needs are met. When one provider replaces another, their wires are exchanged in one turn of the
@@ -44,6 +50,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, sections 1 ("terminate gracefully with proper error messages"), 2.1.3 and 2.2.4.
  */
 public final class Application {
+    private static final Duration NODE_LIMIT = Duration.ofSeconds(5);
+
     private final ActorSpace space;
     private final ApplicationPlan plan;
     private final Bus bus;
@@ -51,22 +59,30 @@ public final class Application {
     private final ApplicationSettings settings;
     private final BusPort port;
     private final TopicWiring wiring;
-    private final Map<String, ComponentInterface<?, ?>> interfaces = new LinkedHashMap<>();
     private final Map<String, Offer> offers = new LinkedHashMap<>();
+    private final Set<Address> offered = new HashSet<>(); // by any node, so far
+    private final List<Address> awaited = new ArrayList<>(); // of the other nodes, before the start
+    private final Deferred<@Nullable Void> allOffered = new Deferred<>();
     private final List<NeedConnection> connections = new ArrayList<>();
     private final Deferred<@Nullable Void> started = new Deferred<>();
     private final Deferred<@Nullable Void> ended = new Deferred<>();
     private boolean ending;
 
-    /** What the broker gets for a component, which may run on another node. */
-    private record Offer(Component<?, ?> component, Address address, Provider provider) {}
+    /** A component of the plan; {@code here} is null if it runs on another node, whose broker offers it. */
+    private record Offer(
+            Component<?, ?> component,
+            Address address,
+            @Nullable ComponentInterface<?, ?> here) {}
 
-    private Application(ActorSpace space, ApplicationPlan plan, Bus bus, Broker broker, ApplicationSettings settings) {
+    private Application(ActorSpace space, ApplicationPlan plan, Bus bus, ApplicationSettings settings) {
         this.space = space;
         this.plan = plan;
         this.bus = bus;
-        this.broker = broker;
         this.settings = settings;
+        var limits = settings.broker();
+        this.broker = plan.nodes().isEmpty()
+                ? Broker.open(bus.node(), space, limits)
+                : Broker.over(bus, space, limits.withObserver(this::onBroker), plan.sharing());
         this.port = bus.attach(plan.name() + ":application");
         this.wiring = new TopicWiring(port, plan.components(), settings.events());
     }
@@ -79,7 +95,7 @@ public final class Application {
      * @throws IllegalStateException if the current thread is not that of an actor space
      * @throws IllegalArgumentException if another node runs the application
      */
-    public static Application start(ApplicationPlan plan, Bus bus, Broker broker, ApplicationSettings settings) {
+    public static Application start(ApplicationPlan plan, Bus bus, ApplicationSettings settings) {
         ActorSpace space = ActorSpace.current();
         if (space == null) {
             throw new IllegalStateException("application " + plan.name()
@@ -89,7 +105,7 @@ public final class Application {
             throw new IllegalArgumentException("node " + plan.nodes().getFirst() + " runs " + plan.name()
                     + ", and this is node " + bus.node() + ", which serves components: use ApplicationNode");
         }
-        var application = new Application(space, plan, bus, broker, settings);
+        var application = new Application(space, plan, bus, settings);
         application.begin();
         return application;
     }
@@ -114,8 +130,7 @@ public final class Application {
             end(refused);
             return;
         }
-        new OtherNodes(space, plan, bus.node(), port)
-                .awaitAll(() -> ending)
+        awaitNodes()
                 .thenCompose(present -> register())
                 .thenCompose(all -> meetNeeds(plan.needs().iterator()))
                 .thenAccept(met -> run())
@@ -128,18 +143,60 @@ public final class Application {
     private void open(String name, Component<?, ?> component) {
         if (plan.nodes().isEmpty() || plan.componentsOn(bus.node()).contains(name)) {
             var opened = ComponentInterface.open(bus, name, component, settings.components());
-            interfaces.put(name, opened);
             offers.put(name, new Offer(component, opened.address(), opened));
         } else {
-            var address = OtherNodes.address(plan, name);
-            offers.put(name, new Offer(component, address, OtherNodes.provider(port, address)));
+            offers.put(name, new Offer(component, new Address(plan.places().get(name), name), null));
         }
     }
+
+    // ---- the other nodes
+
+    /** Fulfilled when the other nodes have offered all their components; rejected if a node is missing. */
+    private Promise<@Nullable Void> awaitNodes() {
+        offers.values().stream()
+                .filter(each -> each.here() == null)
+                .map(Offer::address)
+                .filter(each -> !offered.contains(each))
+                .forEach(awaited::add);
+        if (awaited.isEmpty()) {
+            return Promise.done();
+        }
+        space.delay(NODE_LIMIT).handle((elapsed, closed) -> {
+            if (!awaited.isEmpty()) {
+                allOffered.reject(missingNode(awaited.getFirst()));
+            }
+            return null;
+        });
+        return allOffered;
+    }
+
+    private void onBroker(BrokerEvent event) {
+        if (event instanceof BrokerEvent.Registered(ServiceRecord provider)) {
+            offered.add(provider.provider());
+            if (awaited.remove(provider.provider()) && awaited.isEmpty()) {
+                allOffered.resolve(null);
+            }
+        }
+        settings.broker().observer().on(event);
+    }
+
+    private MissingServiceException missingNode(Address component) {
+        var need =
+                Need.ofService(plan.name(), offer(component.name()).component().service());
+        return new MissingServiceException(
+                need,
+                "\"" + plan.name() + "\" needs node \"" + component.node() + "\" for "
+                        + String.join(", ", plan.componentsOn(component.node())) + ", and has not found it within "
+                        + NODE_LIMIT.toSeconds() + " s: it does not offer " + component.name()
+                        + "; start the same application there");
+    }
+
+    // ---- components and needs
 
     private Promise<?> register() {
         Promise<?> registered = Promise.done();
         for (var each : offers.entrySet()) {
-            if (!ending && plan.isRegisteredAtStart(each.getKey())) {
+            if (!ending && each.getValue().here() != null && plan.isRegisteredAtStart(each.getKey())) {
                 registered = combine(registered, register(each.getValue()));
             }
         }
@@ -148,7 +205,8 @@ public final class Application {
 
     private Promise<ServiceRecord> register(Offer offer) {
         var component = offer.component();
-        return broker.register(component.service(), component.capabilities(), offer.address(), offer.provider());
+        var here = Objects.requireNonNull(offer.here());
+        return broker.register(component.service(), component.capabilities(), offer.address(), here::newLife);
     }
 
     private static Promise<?> combine(Promise<?> first, Promise<?> second) {
@@ -210,8 +268,11 @@ public final class Application {
                     next.component().capabilities().stream()
                             .filter(each -> !capabilities.contains(each))
                             .forEach(capabilities::add);
-                    return broker.replace(
-                            before.address(), offer.service(), capabilities, next.address(), next.provider());
+                    var here = next.here();
+                    return here == null
+                            ? broker.replace(before.address(), offer.service(), capabilities, next.address())
+                            : broker.replace(
+                                    before.address(), offer.service(), capabilities, next.address(), here::newLife);
                 })
                 .thenAccept(replaced -> {});
     }
@@ -239,7 +300,6 @@ public final class Application {
             return Promise.failed(stoppedError("takes no component " + name));
         }
         var opened = ComponentInterface.open(bus, name, component, settings.components());
-        interfaces.put(name, opened);
         wiring.addComponent(name, component);
         var offer = new Offer(component, opened.address(), opened);
         offers.put(name, offer);
@@ -256,13 +316,15 @@ public final class Application {
      * @throws IllegalArgumentException if there is no such component
      */
     public ComponentInterface<?, ?> componentInterface(String component) {
-        var found = interfaces.get(component);
-        if (found == null) {
-            var elsewhere = offer(component); // has a clearer error if there is no such component
-            throw new IllegalArgumentException(component + " runs on node "
-                    + elsewhere.address().node() + ", expected one of " + interfaces.keySet());
+        var found = offer(component);
+        if (found.here() == null) {
+            throw new IllegalArgumentException(
+                    component + " runs on node " + found.address().node() + ", expected one of "
+                            + offers.keySet().stream()
+                                    .filter(each -> offer(each).here() != null)
+                                    .toList());
         }
-        return found;
+        return found.here();
     }
 
     private Offer offer(String component) {
@@ -334,7 +396,7 @@ public final class Application {
 
     // ---- the end
 
-    /** Stops everything that was started, in reverse order, and closes the bus. Fulfilled when this is done. */
+    /** Stops everything that was started, in reverse order, and leaves the bus. Fulfilled when this is done. */
     public Promise<@Nullable Void> stop() {
         end(null);
         return ended;
@@ -345,10 +407,12 @@ public final class Application {
             return;
         }
         ending = true;
+        awaited.clear();
+        allOffered.resolve(null);
         broker.shutDown().handle((left, error) -> {
             connections.forEach(NeedConnection::disconnect);
-            interfaces.values().forEach(ComponentInterface::close);
-            bus.close();
+            offers.values().stream().map(Offer::here).filter(Objects::nonNull).forEach(ComponentInterface::close);
+            port.close();
             settle(why != null ? why : error);
             return null;
         });

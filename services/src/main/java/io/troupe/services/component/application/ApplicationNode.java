@@ -2,12 +2,12 @@ package io.troupe.services.component.application;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Promise;
+import io.troupe.broker.Broker;
+import io.troupe.broker.BrokerEvent;
+import io.troupe.broker.BrokerObserver;
 import io.troupe.bus.Bus;
-import io.troupe.bus.BusPort;
+import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentInterface;
-import io.troupe.services.component.ComponentObserver;
-import io.troupe.services.component.ComponentState;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -16,11 +16,11 @@ import org.jspecify.annotations.Nullable;
  * Serves the components that a plan places on a node other than the first.
  *
  * {@snippet :
- * node = ApplicationNode.open(plan, laptop, observer);
+ * node = ApplicationNode.open(plan, laptop, settings);
  * }
  *
- * <p><b>Role.</b> Attaches the components to the bus; the application, which runs on the first node, starts and ends
- * them. They may be started again, by the same application or by a later one.
+ * <p><b>Role.</b> Attaches the components to the bus, and has a broker that offers them; the application, which runs on
+ * the first node, starts and ends them. They may be started again, by the same application or by a later one.
  *
  * <p><b>Threads.</b> One actor space, on which it is opened and stopped. The bus is left open.
  *
@@ -28,34 +28,23 @@ import org.jspecify.annotations.Nullable;
  * run are terminated, which is reported to the observer. A pause of this process does not count.
  */
 public final class ApplicationNode {
-    private static final Duration SILENCE_LIMIT = Duration.ofSeconds(3);
+    private final Broker broker;
+    private final List<ComponentInterface<?, ?>> components;
 
-    private final ActorSpace space;
-    private final String application;
-    private final ComponentObserver observer;
-    private final List<ComponentInterface<?, ?>> components = new ArrayList<>();
-    private final BusPort port;
-    private long seenNanos;
-    private long lastCheckNanos;
-    private boolean stopped;
-
-    private ApplicationNode(ActorSpace space, ApplicationPlan plan, BusPort port, ComponentObserver observer) {
-        this.space = space;
-        this.application = plan.name();
-        this.port = port;
-        this.observer = observer;
-        this.seenNanos = space.clock().nanos();
-        this.lastCheckNanos = seenNanos;
+    private ApplicationNode(Broker broker, List<ComponentInterface<?, ?>> components) {
+        this.broker = broker;
+        this.components = components;
     }
 
     /**
      * Attaches the components of a node.
      *
      * @param bus has the name of the node
+     * @param settings the observers, and the limits and checks of the broker
      * @throws IllegalStateException if the current thread is not that of an actor space
      * @throws IllegalArgumentException if the plan places no components on this node, or it runs the application
      */
-    public static ApplicationNode open(ApplicationPlan plan, Bus bus, ComponentObserver observer) {
+    public static ApplicationNode open(ApplicationPlan plan, Bus bus, ApplicationSettings settings) {
         ActorSpace space = ActorSpace.current();
         if (space == null) {
             throw new IllegalStateException("the components of node " + bus.node()
@@ -67,61 +56,41 @@ public final class ApplicationNode {
                     "node " + bus.node() + " has no components of " + plan.name() + " to serve, expected one of "
                             + plan.nodes().stream().skip(1).toList());
         }
-        var node = new ApplicationNode(space, plan, bus.attach(plan.name() + ":node"), observer);
+        var limits = settings.broker();
+        var broker =
+                Broker.over(bus, space, limits.withObserver(observer(limits.observer(), settings)), plan.sharing());
+        List<ComponentInterface<?, ?>> components = new ArrayList<>();
         for (String name : names) {
-            node.components.add(
-                    ComponentInterface.open(bus, name, plan.components().get(name), observer));
-        }
-        node.port.subscribe(
-                OtherNodes.alive(plan),
-                (alive, from) -> node.seenNanos = space.clock().nanos());
-        node.checkLater();
-        return node;
-    }
-
-    private void checkLater() {
-        space.delay(OtherNodes.ALIVE_PERIOD).handle((elapsed, closed) -> {
-            if (closed == null && !stopped) {
-                check();
-                checkLater();
-            }
-            return null;
-        });
-    }
-
-    private void check() {
-        long nowNanos = space.clock().nanos();
-        long pausedNanos = nowNanos - lastCheckNanos - OtherNodes.ALIVE_PERIOD.toNanos();
-        lastCheckNanos = nowNanos;
-        if (pausedNanos > OtherNodes.ALIVE_PERIOD.toNanos()) {
-            seenNanos += pausedNanos; // what came in the meantime has not been received yet
-        } else if (nowNanos - seenNanos > SILENCE_LIMIT.toNanos()) {
-            components.stream()
-                    .filter(each -> each.state() == ComponentState.RUNNING)
-                    .forEach(each -> {
-                        observer.info(
-                                each.address(),
-                                "nothing has come from " + application + " for " + SILENCE_LIMIT.toSeconds()
-                                        + " s: this component is ended");
-                        each.stop().exceptionally(error -> {
-                            observer.problem(each.address(), "could not be terminated", error);
-                            return null;
-                        });
+            Component<?, ?> component = plan.components().get(name);
+            var opened = ComponentInterface.open(bus, name, component, settings.components());
+            components.add(opened);
+            broker.register(
+                            plan.serviceAtStart(name),
+                            plan.isRegisteredAtStart(name) ? component.capabilities() : List.of(),
+                            opened.address(),
+                            opened::newLife)
+                    .exceptionally(taken -> {
+                        settings.components().problem(opened.address(), "cannot be offered", taken);
+                        return null;
                     });
         }
+        return new ApplicationNode(broker, components);
+    }
+
+    private static BrokerObserver observer(BrokerObserver inner, ApplicationSettings settings) {
+        return event -> {
+            if (event instanceof BrokerEvent.Unused unused) {
+                settings.components().info(unused.provider().provider(), unused.why() + ": this component is ended");
+            }
+            inner.on(event);
+        };
     }
 
     /** Ends the components and leaves the bus. */
     public Promise<@Nullable Void> stop() {
-        stopped = true;
-        port.close();
-        Promise<@Nullable Void> all = Promise.done();
-        for (var component : components) {
-            all = all.thenCompose(before -> component.stop()).handle((ended, error) -> {
-                component.close(); // reports a failed termination
-                return null;
-            });
-        }
-        return all;
+        return broker.shutDown().handle((left, error) -> {
+            components.forEach(ComponentInterface::close); // reports a failed termination
+            return null;
+        });
     }
 }

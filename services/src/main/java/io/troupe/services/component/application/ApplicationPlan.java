@@ -1,6 +1,7 @@
 package io.troupe.services.component.application;
 
 import io.troupe.broker.Need;
+import io.troupe.broker.Sharing;
 import io.troupe.bus.BusTopic;
 import io.troupe.common.text.Suggestions;
 import io.troupe.services.component.Component;
@@ -249,6 +250,20 @@ public record ApplicationPlan(
                 .min(Comparator.comparing(Replacement::after))
                 .map(first -> first.old().equals(component))
                 .orElse(true);
+    }
+
+    /** The component's service, or before its first replacement puts it in another's place, one that is not needed. */
+    String serviceAtStart(String component) {
+        return isRegisteredAtStart(component) ? components.get(component).service() : "$" + component;
+    }
+
+    /** How the nodes share their components: among themselves, in the order of the components, for the first node. */
+    Sharing sharing() {
+        List<String> order = List.copyOf(components.keySet());
+        return Sharing.defaults()
+                .withGroup(name)
+                .withRanks(each -> order.contains(each) ? order.indexOf(each) : order.size())
+                .withUnusedStopped();
     }
 
     private static <T> List<T> append(List<T> list, T more) {

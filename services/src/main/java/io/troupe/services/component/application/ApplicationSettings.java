@@ -1,6 +1,7 @@
 package io.troupe.services.component.application;
 
 import io.troupe.actor.Settings;
+import io.troupe.broker.BrokerSettings;
 import io.troupe.services.component.ComponentObserver;
 import java.time.Duration;
 import java.util.Objects;
@@ -11,6 +12,7 @@ public final class ApplicationSettings extends Settings<ApplicationSettings> {
     private static final ApplicationSettings DEFAULTS = new ApplicationSettings();
 
     private Duration reconnectLimit = Duration.ofSeconds(3);
+    private BrokerSettings broker = BrokerSettings.defaults();
     private ComponentObserver components = ComponentObserver.logging();
     private Consumer<ApplicationEvent> events = event -> {};
 
@@ -34,6 +36,12 @@ public final class ApplicationSettings extends Settings<ApplicationSettings> {
         return with(copy -> copy.reconnectLimit = limit);
     }
 
+    /** Limits, checks and observer of the broker. */
+    public ApplicationSettings withBroker(BrokerSettings settings) {
+        Objects.requireNonNull(settings, "broker");
+        return with(copy -> copy.broker = settings);
+    }
+
     /** Is notified of the events of components. */
     public ApplicationSettings withComponentObserver(ComponentObserver observer) {
         Objects.requireNonNull(observer, "components");
@@ -48,6 +56,10 @@ public final class ApplicationSettings extends Settings<ApplicationSettings> {
 
     public Duration reconnectLimit() {
         return reconnectLimit;
+    }
+
+    public BrokerSettings broker() {
+        return broker;
     }
 
     public ComponentObserver components() {

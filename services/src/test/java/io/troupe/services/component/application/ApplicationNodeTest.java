@@ -5,13 +5,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.testkit.TestSpace;
-import io.troupe.broker.Broker;
+import io.troupe.broker.BrokerEvent;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.MissingServiceException;
+import io.troupe.broker.ServiceRecord;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusEngine;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.Loss;
+import io.troupe.services.component.ComponentObserver;
 import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.services.subsumption.FakeRobots;
@@ -39,6 +41,8 @@ class ApplicationNodeTest {
             pair needs service player
             robot1 needs service wallFollower
             """;
+    private static final ApplicationSettings QUIET =
+            ApplicationSettings.defaults().withBroker(BrokerSettings.defaults().withObserver(event -> {}));
     private static final String WITHOUT_RESERVE = TEXT.replaceAll("component reserve .*\n", "");
 
     private final TestSpace test = new TestSpace();
@@ -46,7 +50,11 @@ class ApplicationNodeTest {
     private final FakeRobots robots = new FakeRobots(test, 1);
     private final List<Loss> losses = new ArrayList<>();
     private final List<String> events = new ArrayList<>();
-    private final RecordingObserver observer = new RecordingObserver();
+    private final RecordingObserver observer = new RecordingObserver(); // of the components of laptop
+    private final ApplicationSettings settings = ApplicationSettings.defaults()
+            .withBroker(BrokerSettings.defaults().withObserver(this::note))
+            .withComponentObserver(observer)
+            .withObserver(event -> {});
     private final Bus base = open("base");
     private Bus laptop = open("laptop");
     private Application application;
@@ -152,17 +160,33 @@ class ApplicationNodeTest {
     private void serve(String text) {
         test.run(() -> {
             ApplicationPlan plan = plan(text);
-            node = ApplicationNode.open(plan, laptop, observer);
+            node = ApplicationNode.open(plan, laptop, settings);
         });
     }
 
     private void run(String text) {
         test.run(() -> {
-            var broker = Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {}));
-            var settings = ApplicationSettings.defaults().withObserver(this::note);
-            application = Application.start(plan(text), base, broker, settings);
+            var settings = ApplicationSettings.defaults()
+                    .withBroker(BrokerSettings.defaults().withObserver(event -> {}))
+                    .withComponentObserver(ComponentObserver.logging())
+                    .withObserver(this::note);
+            application = Application.start(plan(text), base, settings);
             application.started().handle((runs, error) -> error); // the test reads the result later
         });
+    }
+
+    private void note(BrokerEvent event) {
+        switch (event) {
+            case BrokerEvent.Started(var provider) -> note(provider, "STARTED");
+            case BrokerEvent.Stopped(var provider) -> note(provider, "STOPPED");
+            default -> {}
+        }
+    }
+
+    private void note(ServiceRecord provider, String what) {
+        if (provider.provider().node().equals("laptop")) {
+            observer.info(provider.provider(), what);
+        }
     }
 
     private void note(ApplicationEvent event) {
@@ -201,13 +225,13 @@ class ApplicationNodeTest {
         run(TEXT);
         test.get(application.started());
         assertThat(events).containsExactly("pair uses base/robots", "robot1 uses laptop/follower");
-        assertThat(observer.take()).contains("follower RUNNING");
+        assertThat(observer.take()).contains("follower STARTED");
         robots.tick(100);
         assertThat(robots.commands(0)).containsExactly(ahead(0.2));
         assertThatThrownBy(() -> application.componentInterface("follower"))
                 .hasMessage("follower runs on node laptop, expected one of [robots, reserve]");
         test.get(application.stop());
-        assertThat(observer.take()).contains("follower TERMINATED");
+        assertThat(observer.take()).contains("follower STOPPED");
     }
 
     @Test
@@ -219,9 +243,8 @@ class ApplicationNodeTest {
         seconds(1);
         assertThat(test.error(application.started()))
                 .isInstanceOf(MissingServiceException.class)
-                .hasMessage("\"pair\" needs node \"laptop\" for follower, and has not found it within 5 s:"
-                        + " base/pair:application asked laptop/follower for component/health: there is no node laptop;"
-                        + " start the same application there");
+                .hasMessage("\"pair\" needs node \"laptop\" for follower, and has not found it within 5 s: it does"
+                        + " not offer follower; start the same application there");
         assertThat(events).isEmpty();
     }
 
@@ -269,9 +292,9 @@ class ApplicationNodeTest {
         wire.hold("base"); // and nothing comes from it
         observer.take();
         seconds(3);
-        assertThat(observer.take()).doesNotContain("follower TERMINATED");
+        assertThat(observer.take()).doesNotContain("follower STOPPED");
         seconds(1.5);
-        assertThat(observer.take()).contains("follower TERMINATED");
+        assertThat(observer.take()).contains("follower STOPPED");
         wire.held.clear();
         wire.hold();
         test.run(application::stop);
@@ -280,13 +303,44 @@ class ApplicationNodeTest {
 
         try (var second = open("base")) {
             test.run(() -> {
-                var broker = Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {}));
-                application = Application.start(plan(TEXT), second, broker, ApplicationSettings.defaults());
+                application = Application.start(plan(TEXT), second, QUIET);
             });
             test.get(application.started());
-            assertThat(observer.take()).contains("follower RUNNING");
+            assertThat(observer.take()).contains("follower STARTED");
             test.get(application.stop());
         }
+    }
+
+    @Test
+    void componentOfTheOtherNode_takesAPlace_andGivesItBack() {
+        String text = TEXT + """
+                component relief is spaceWanderer on laptop
+                at 150ms replace follower by relief
+                at 1s replace relief by follower
+                """;
+        serve(text);
+        run(text);
+        test.get(application.started());
+        seconds(0.5);
+        assertThat(events).last().isEqualTo("robot1 uses laptop/relief");
+        assertThat(observer.take()).contains("follower STARTED", "relief STARTED", "follower STOPPED");
+        robots.tick(100);
+        assertThat(robots.commands(0)).containsExactly(ahead(0.5));
+        seconds(1);
+        assertThat(events).last().isEqualTo("robot1 uses laptop/follower");
+        assertThat(observer.take()).contains("follower STARTED", "relief STOPPED");
+    }
+
+    @Test
+    void componentThatTakesAPlaceLater_isNotUsedBefore() {
+        String text = (TEXT + """
+                component relief is spaceWanderer on laptop
+                at 150ms replace follower by relief
+                """).replace("robot1 needs service wallFollower", "robot1 needs capability wanders");
+        serve(text);
+        run(text);
+        test.get(application.started());
+        assertThat(events).last().isEqualTo("robot1 uses base/reserve");
     }
 
     @Test
@@ -297,7 +351,7 @@ class ApplicationNodeTest {
         observer.take();
         test.advance(Duration.ofSeconds(60)); // all at once, as after a suspended process
         seconds(5);
-        assertThat(observer.take()).doesNotContain("follower TERMINATED");
+        assertThat(observer.take()).doesNotContain("follower STOPPED");
     }
 
     @Test
@@ -337,14 +391,13 @@ class ApplicationNodeTest {
     @Test
     void wrongNode_isRefused() {
         test.run(() -> {
-            assertThatThrownBy(() -> ApplicationNode.open(plan(TEXT), base, observer))
+            assertThatThrownBy(() -> ApplicationNode.open(plan(TEXT), base, settings))
                     .hasMessage("node base has no components of pair to serve, expected one of [laptop]");
-            var broker = Broker.open(test.space(), BrokerSettings.defaults());
-            assertThatThrownBy(() -> Application.start(plan(TEXT), laptop, broker, ApplicationSettings.defaults()))
+            assertThatThrownBy(() -> Application.start(plan(TEXT), laptop, ApplicationSettings.defaults()))
                     .hasMessage("node base runs pair, and this is node laptop, which serves components:"
                             + " use ApplicationNode");
         });
-        assertThatThrownBy(() -> ApplicationNode.open(plan(TEXT), laptop, observer))
+        assertThatThrownBy(() -> ApplicationNode.open(plan(TEXT), laptop, settings))
                 .hasMessageStartingWith("the components of node laptop were opened on no actor space");
     }
 }

@@ -4,16 +4,17 @@ import static io.troupe.services.subsumption.FakeRobots.STOP;
 import static io.troupe.services.subsumption.FakeRobots.ahead;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.broker.Broker;
+import io.troupe.broker.BrokerEvent;
 import io.troupe.broker.BrokerSettings;
+import io.troupe.broker.Health;
 import io.troupe.broker.MissingServiceException;
+import io.troupe.broker.ServiceRecord;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentBench;
-import io.troupe.services.component.ComponentState;
 import io.troupe.services.component.DataConversion.Losses;
 import io.troupe.services.component.ScriptedComponent;
 import io.troupe.services.component.kinds.BehaviourComponent;
@@ -26,6 +27,7 @@ import io.troupe.services.subsumption.FakeRobots;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -53,6 +55,7 @@ class ApplicationTest extends ComponentBench {
 
     private final FakeRobots robots = new FakeRobots(test, 2);
     private final List<String> events = new ArrayList<>();
+    private final Map<String, Health> states = new HashMap<>();
     private Application application;
 
     @AfterEach
@@ -69,10 +72,11 @@ class ApplicationTest extends ComponentBench {
 
     private void start(ApplicationPlan plan) {
         test.run(() -> {
-            var broker = Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {}));
-            var settings =
-                    ApplicationSettings.defaults().withComponentObserver(notes).withObserver(this::note);
-            application = Application.start(plan, bus, broker, settings);
+            var settings = ApplicationSettings.defaults()
+                    .withBroker(BrokerSettings.defaults().withObserver(this::note))
+                    .withComponentObserver(notes)
+                    .withObserver(this::note);
+            application = Application.start(plan, bus, settings);
             application.started().handle((runs, error) -> error); // handled here; the test reads the result later
         });
     }
@@ -95,8 +99,26 @@ class ApplicationTest extends ComponentBench {
         }
     }
 
-    private ComponentState state(String component) {
-        return application.componentInterface(component).state();
+    private void note(BrokerEvent event) {
+        switch (event) {
+            case BrokerEvent.Registered(var provider) -> note(provider);
+            case BrokerEvent.Starting(var provider) -> note(provider);
+            case BrokerEvent.Started(var provider) -> note(provider);
+            case BrokerEvent.StartFailed(var provider, var why) -> note(provider);
+            case BrokerEvent.Failed(var provider, var why) -> note(provider);
+            case BrokerEvent.Stopped(var provider) -> note(provider);
+            case BrokerEvent.StopFailed(var provider, var why) -> note(provider);
+            default -> {}
+        }
+    }
+
+    private void note(ServiceRecord provider) {
+        states.put(provider.provider().name(), provider.health());
+    }
+
+    /** As the broker has last reported it. */
+    private Health state(String component) {
+        return states.getOrDefault(component, Health.NOT_STARTED);
     }
 
     private Losses losses(String component) {
@@ -113,7 +135,7 @@ class ApplicationTest extends ComponentBench {
                                 + " follower/velocity -> robot1/velocity]",
                         "robot2 uses wanderer [robot2/position -> wanderer/position, robot2/sonar -> wanderer/sonar,"
                                 + " wanderer/velocity -> robot2/velocity]");
-        assertThat(state("idle")).isEqualTo(ComponentState.NOT_INVOKED);
+        assertThat(state("idle")).isEqualTo(Health.NOT_STARTED);
         robots.tick(100);
         assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD);
         assertThat(robots.commands(1)).containsExactly(WANDERER_AHEAD);
@@ -127,7 +149,7 @@ class ApplicationTest extends ComponentBench {
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
         assertThat(robots.lastCommand(1)).isEqualTo(STOP);
         assertThat(List.of(state("robots"), state("follower"), state("wanderer")))
-                .containsOnly(ComponentState.TERMINATED);
+                .containsOnly(Health.STOPPED);
         var component = BehaviourComponent.of("late", "driving", List.of(), () -> senses -> Optional.empty());
         var refusals = new ArrayList<Throwable>();
         test.run(() -> application.add("late", component).handle((added, error) -> refusals.add(error)));
@@ -138,8 +160,8 @@ class ApplicationTest extends ComponentBench {
                 .isInstanceOf(ApplicationException.class)
                 .hasMessage("two-robots has been stopped, and replaces nothing");
         var provider = application.componentInterface("follower");
-        assertThat(test.error(provider.start())).hasMessageContaining("here/follower has left the bus");
-        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
+        assertThat(test.error(provider.newLife().start())).hasMessageContaining("here/follower has left the bus");
+        assertThat(state("follower")).isEqualTo(Health.STOPPED);
     }
 
     @Test
@@ -151,7 +173,7 @@ class ApplicationTest extends ComponentBench {
                 .hasMessageContainingAll("robot1", "wallFolower", "did you mean \"wallFollower\"")
                 .hasMessageContainingAll("registered:", "player", "spaceWanderer");
         assertThat(error.getMessage()).doesNotContain("\n");
-        assertThat(state("robots")).isEqualTo(ComponentState.TERMINATED);
+        assertThat(state("robots")).isEqualTo(Health.STOPPED);
         assertThat(robots.connections()).isZero();
         assertThat(application.ended().error()).isSameAs(error);
     }
@@ -192,7 +214,7 @@ class ApplicationTest extends ComponentBench {
     @Test
     void providerIsReplacedWhileTheApplicationRuns_noTickIsWithoutACommand_andNothingIsLost() {
         run(plan(TWO_ROBOTS + "component other is spaceWanderer\nat 450ms replace follower by other\n"));
-        assertThat(state("other")).isEqualTo(ComponentState.NOT_INVOKED);
+        assertThat(state("other")).isEqualTo(Health.NOT_STARTED);
         for (int tick = 1; tick <= 10; tick++) {
             test.advance(Duration.ofMillis(100));
             robots.tick(100);
@@ -201,7 +223,7 @@ class ApplicationTest extends ComponentBench {
         assertThat(robots.commands(0).subList(0, 4)).containsOnly(FOLLOWER_AHEAD);
         assertThat(robots.commands(0).subList(4, 10)).containsOnly(WANDERER_AHEAD);
         assertThat(events).contains("other in the place of follower");
-        assertThat(state("follower")).isEqualTo(ComponentState.TERMINATED);
+        assertThat(state("follower")).isEqualTo(Health.STOPPED);
         assertThat(List.of("robots", "follower", "other"))
                 .allSatisfy(component -> assertThat(losses(component)).isEqualTo(new Losses(0, 0, 0)));
     }
@@ -280,7 +302,7 @@ class ApplicationTest extends ComponentBench {
         assertThat(application.ended().error())
                 .isInstanceOf(MissingServiceException.class)
                 .hasMessageContainingAll("robot1", "dying", "dizzy");
-        assertThat(state("robots")).isEqualTo(ComponentState.TERMINATED);
+        assertThat(state("robots")).isEqualTo(Health.STOPPED);
     }
 
     @Test
@@ -319,7 +341,7 @@ class ApplicationTest extends ComponentBench {
         run(plan(TWO_ROBOTS + "connect robot1/sonar to idle/sonar\ntwo-robots needs service idling\n"));
         var sonar = listenTo(RobotTopics.sonar("idle"));
         var velocities = listenTo(RobotTopics.velocity("idle"));
-        assertThat(state("idle")).isEqualTo(ComponentState.RUNNING);
+        assertThat(state("idle")).isEqualTo(Health.WELL);
         robots.tick(100);
         assertThat(velocities).containsExactly(new Velocity(0.5, 0));
         assertThat(robots.commands(0)).as("it drives nobody").containsExactly(FOLLOWER_AHEAD);
@@ -407,7 +429,7 @@ class ApplicationTest extends ComponentBench {
         assertThat(usedByRobot1()).containsExactly("next");
         test.run(() -> late.resolve(null));
         assertThat(first.calls).containsExactly("invoke", "terminate", "terminate");
-        assertThat(state("first")).isEqualTo(ComponentState.TERMINATED);
+        assertThat(state("first")).isEqualTo(Health.FAILED);
         for (int tick = 1; tick <= 5; tick++) {
             test.run(() -> first.signals().data(new Velocity(0.1, 0)));
             assertTick(tick, 0.3);

@@ -4,6 +4,7 @@ import static io.troupe.services.behaviour.TestSenses.blob;
 import static io.troupe.services.subsumption.FakeRobots.STOP;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.broker.Health;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.services.behaviour.Behaviour;
@@ -14,8 +15,7 @@ import io.troupe.services.behaviour.WallFollower;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentBench;
-import io.troupe.services.component.ComponentInterface;
-import io.troupe.services.component.ComponentState;
+import io.troupe.services.component.ComponentBroker;
 import io.troupe.services.component.kinds.BehaviourComponent.Sense;
 import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
 import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
@@ -40,9 +40,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ComponentKindsTest extends ComponentBench {
     private final FakeRobots robots = new FakeRobots(test, 2);
     private final List<Velocity> velocities = listenTo(RobotTopics.velocity("driver"));
-    private ComponentInterface<?, ?> player = player(1, 2);
+    private ComponentBroker.Registered<?, ?> player = player(1, 2);
 
-    private ComponentInterface<?, ?> player(Integer... numbers) {
+    private ComponentBroker.Registered<?, ?> player(Integer... numbers) {
         var settings = new PlayerComponent.Settings("localhost", FakeRobots.PORT, List.of(numbers), true);
         return open("robots", PlayerComponent.of(settings), notes);
     }
@@ -56,7 +56,7 @@ class ComponentKindsTest extends ComponentBench {
 
     // ---- behaviours
 
-    private ComponentInterface<?, ?> start(Supplier<Behaviour> law) {
+    private ComponentBroker.Registered<?, ?> start(Supplier<Behaviour> law) {
         return start("driver", BehaviourComponent.of("driver", "driving", List.of("drives"), law));
     }
 
@@ -307,7 +307,7 @@ class ComponentKindsTest extends ComponentBench {
         drive("robot1", 0.3, 0);
         test.get(player.check());
         test.run(robots::vanish);
-        assertThat(player.state()).isEqualTo(ComponentState.FAILED);
+        assertThat(test.get(player.health())).isEqualTo(Health.FAILED);
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
         assertThat(test.error(player.check()))
                 .hasMessage("here/robots has failed: Player server localhost:7001: the server has gone");

@@ -11,6 +11,7 @@ import io.troupe.broker.ProviderException;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
+import io.troupe.services.component.ComponentBroker;
 import io.troupe.services.component.ComponentCommunication;
 import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.RecordingObserver;
@@ -60,6 +61,7 @@ class ExternalProcessTest {
     private final Bus bus = Bus.inProcess("here", BusSettings.on(space));
     private final BusPort user = bus.attach("user");
     private final RecordingObserver notes = new RecordingObserver();
+    private final ComponentBroker broker = new ComponentBroker(space, ComponentBroker.PATIENT, notes);
     private final LinkedBlockingQueue<String> lines = new LinkedBlockingQueue<>();
     private final List<ProcessTree> trees = new CopyOnWriteArrayList<>();
 
@@ -97,24 +99,26 @@ class ExternalProcessTest {
         return alive().stream().anyMatch(each -> String.valueOf(each.pid()).equals(pid));
     }
 
-    private ComponentInterface<?, ?> open(Duration startLimit, Duration stopLimit, String... command) throws Exception {
+    private ComponentBroker.Registered<?, ?> open(Duration startLimit, Duration stopLimit, String... command)
+            throws Exception {
         var settings = new ProcessComponent.Settings(List.of(command), directory, startLimit, stopLimit);
         var component = ProcessComponent.of("script", "scripting", settings);
-        var opened = new CompletableFuture<ComponentInterface<?, ?>>();
+        var opened = new CompletableFuture<ComponentBroker.Registered<?, ?>>();
         space.execute(() -> {
             user.subscribe(ProcessComponent.output("script"), (line, from) -> lines.add(line.text()));
-            opened.complete(ComponentInterface.open(bus, "script", component, notes));
+            opened.complete(broker.register(ComponentInterface.open(bus, "script", component, notes)));
         });
         return opened.get(60, TimeUnit.SECONDS);
     }
 
-    private ComponentInterface<?, ?> shell(Duration startLimit, Duration stopLimit, String script) throws Exception {
+    private ComponentBroker.Registered<?, ?> shell(Duration startLimit, Duration stopLimit, String script)
+            throws Exception {
         String text = script.replace("SLEEP", "tail -f " + directory.resolve("empty"));
         return open(startLimit, stopLimit, SHELL.toString(), "-c", text, directory.toString());
     }
 
     /** Starts a script that ends on request. A limit of ever is no error. */
-    private ComponentInterface<?, ?> started(String script) throws Exception {
+    private ComponentBroker.Registered<?, ?> started(String script) throws Exception {
         var provider = shell(EVER, EVER, script);
         done(provider.start());
         return provider;
@@ -256,7 +260,7 @@ class ExternalProcessTest {
         assumeSessions();
         var provider = started("SLEEP & echo $!; read line; exit 7");
         var child = lineOfProcess();
-        var livesBesideTheNext = provider.whenEnded().handle((ended, error) -> isAlive(child));
+        var livesBesideTheNext = broker.nextFailure().handle((ended, error) -> isAlive(child));
         send("go");
         assertThat(livesBesideTheNext.get(PATIENCE)).isFalse();
         assertThatThrownBy(() -> done(provider.check())).hasMessageContaining("ended with status 7");
