@@ -912,7 +912,7 @@ final class ActorCell extends Recipient {
             this.supervision = supervision;
         }
 
-        /** Counts a failure; false if it is one too many. */
+        /** Counts a failure; false if it exceeds the limit. */
         boolean note(long nowNanos) {
             if (inARow < Integer.MAX_VALUE) {
                 inARow++;

@@ -98,7 +98,7 @@ public final class ActorContext {
      * }
      *
      * <p>Not counted: one {@link #release} suffices. A restart ends it, and so does {@link Actor#started()} that
-     * throws. If the actor stops, the calls are rejected as at every end of an actor; {@link ActorSpace#stop} does not
+     * throws. If the actor stops, the calls are rejected, as whenever an actor stops; {@link ActorSpace#stop} does not
      * wait for them.
      */
     public void hold() {

@@ -21,7 +21,7 @@ public sealed interface ActorEnd {
     /**
      * Its supervision has stopped it, or its factory threw.
      *
-     * @param error the failure that was one too many
+     * @param error the failure that exceeded the limit
      */
     record Failed(Throwable error) implements ActorEnd {}
 

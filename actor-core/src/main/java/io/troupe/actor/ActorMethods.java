@@ -414,7 +414,7 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                 throw wrong(
                         method,
                         "answers " + result.getTypeName()
-                                + ", a callback that would run on the asker's side: let a method take what the callback would be sent");
+                                + ", a callback that would run on the caller's side: let a method take what the callback would be sent");
             }
         }
 

@@ -174,7 +174,7 @@ public final class ActorSpace implements AutoCloseable {
     /**
      * Stops the actor behind a proxy of this space after the messages already in its mailbox. An actor that is waiting
      * for its restart, or that holds its calls back, is stopped immediately in its turn, and those messages are
-     * rejected as at every end of an actor: one-way messages become dead letters, requests are rejected.
+     * rejected, as whenever an actor stops: one-way messages become dead letters, requests are rejected.
      */
     public void stop(Object proxy) {
         ActorCell cell = cellOf(proxy);

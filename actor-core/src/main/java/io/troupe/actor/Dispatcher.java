@@ -60,7 +60,7 @@ final class Dispatcher {
     private int passes;
     private int arrivals; // messages that the last pass took from the inbox
     private boolean turnLeavesWork;
-    private int quota = QUOTA;
+    private int quota = QUOTA; // of entries in a row; 0 once halted, so that each loop over entries ends
     // reduced within a row of callbacks, or if a message waits for that many callbacks only
     private int callbackQuota = QUOTA;
     private int stride = STRIDE;
@@ -92,6 +92,10 @@ final class Dispatcher {
         turnLeavesWork = true; // a listener that the turn returns must not run
     }
 
+    private boolean isHalted() {
+        return quota == 0;
+    }
+
     /** Runs an action when the entry that is being processed has returned. */
     void afterTurn(Runnable action) {
         turnLeavesWork = true;
@@ -113,7 +117,7 @@ final class Dispatcher {
             messages.forgetKept();
             space.beginForItself();
         }
-        worked |= quota > 0 && timers.runDue(runTask) > 0;
+        worked |= !isHalted() && timers.runDue(runTask) > 0;
         if (!worked && space.isThreadless()) { // a space with a thread does so before it sleeps
             forgetServed();
         }
@@ -279,7 +283,7 @@ final class Dispatcher {
      * @return the number of messages until the next check
      */
     private int lookAtTimers() {
-        if (!timers.isEmpty() && clock.runsByItself() && quota > 0) {
+        if (!timers.isEmpty() && clock.runsByItself() && !isHalted()) {
             long now = clock.nanos();
             stride = now - lastLookNanos > LONG_STRIDE_NANOS ? 1 : Math.min(STRIDE, 2 * stride);
             lastLookNanos = now;
@@ -312,9 +316,9 @@ final class Dispatcher {
             for (Runnable action = afterTurn.poll(); action != null; action = afterTurn.poll()) {
                 space.runGuarded(action);
             }
-            isQueued = quota == 0;
+            isQueued = isHalted();
         } finally {
-            if (quota == 0) {
+            if (isHalted()) {
                 turnLeavesWork = true; // halted for good
             }
             if (isQueued && next != null) { // halted, or there is no memory for a report
@@ -347,7 +351,7 @@ final class Dispatcher {
                     serveOne(Objects.requireNonNull(callbacks.poll()));
                     worked = true;
                 }
-                if (quota == 0) {
+                if (isHalted()) {
                     break; // a callback has halted this dispatcher
                 }
                 boolean behind = !callbacks.isEmpty() || !messages.isEmpty();
@@ -497,7 +501,7 @@ final class Dispatcher {
         if (messages.isEmpty()) {
             drainInbox(false); // for a message that is still there
         }
-        if (messages.isEmpty() || quota == 0) {
+        if (messages.isEmpty() || isHalted()) {
             return null;
         }
         long before = precedence.callbacksBefore(messages.taken()) - callbacks.taken();

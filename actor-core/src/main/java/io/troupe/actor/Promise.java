@@ -394,7 +394,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * True for an error of the virtual machine, except a stack overflow or an out-of-memory error: it is reported
      * although it also rejects a promise.
      */
-    static boolean isOfTheMachine(Throwable error) {
+    static boolean isVirtualMachineError(Throwable error) {
         return error instanceof VirtualMachineError
                 && !(error instanceof StackOverflowError)
                 && !(error instanceof OutOfMemoryError);

@@ -30,7 +30,7 @@ final class Reports {
     enum Trouble {
         AN_ENTRY("an entry of space"),
         A_TASK("a task of space"),
-        A_DELAY("a delay that was asked of space"),
+        A_DELAY("a delay requested by another thread, in space"),
         A_SEQUENTIAL_BODY("a sequential body"),
         A_REJECTION("a rejected promise without a listener:"),
         A_STEP_OF_THE_END("the end of space"),

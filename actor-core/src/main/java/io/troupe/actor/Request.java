@@ -83,7 +83,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     @Override
     protected final void threw(Throwable thrown) {
         reject(thrown);
-        receiver.requestFailed(this, thrown, isOfTheMachine(thrown));
+        receiver.requestFailed(this, thrown, isVirtualMachineError(thrown));
     }
 
     @Override

@@ -217,11 +217,11 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             followPending(other);
             return null;
         }
-        Object mine = handedOn(outcome);
-        Node listeners = claimHere(mine);
+        Object mine = copyOf(outcome);
+        Node listeners = claimOnThisThread(mine);
         Home here = home();
         if (here != null && listeners instanceof Stage<?, ?> only && Nodes.next(only) == null) {
-            return only.handOn(here); // the usual case, by the shortest path
+            return only.returnOrEnqueue(here); // the usual case, by the shortest path
         }
         finish(listeners, mine);
         return null;
@@ -238,7 +238,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     final boolean settleAtHome(Object outcome) {
-        Node listeners = claimHere(outcome);
+        Node listeners = claimOnThisThread(outcome);
         Home here = home();
         if (here != null && listeners instanceof Stage<?, ?> only && Nodes.next(only) == null) {
             only.dispatch(here);
@@ -267,7 +267,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (outcome == null) {
             other.register(new Follower(this));
         } else {
-            settle(handedOn(outcome));
+            settle(copyOf(outcome));
         }
     }
 
@@ -275,7 +275,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * The outcome to settle a following promise with. Each promise has a separate rejection, since each has its own
      * listeners.
      */
-    private static Object handedOn(Object outcome) {
+    private static Object copyOf(Object outcome) {
         if (outcome instanceof Rejection rejection) {
             rejection.markHandled();
             return rejection(rejection.error());
@@ -314,7 +314,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /** Like {@link #claim}; on the home's thread, or if there is no home. */
-    private @Nullable Node claimHere(Object outcome) {
+    private @Nullable Node claimOnThisThread(Object outcome) {
         if (!isLocal()) {
             return claimShared(outcome);
         }
@@ -436,7 +436,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             Nodes.link(listener, null);
             if (listener instanceof Follower follower) {
                 follower.beforeSettling();
-                Node more = follower.isIdle() ? AlreadySettled.INSTANCE : follower.promise.claim(handedOn(outcome));
+                Node more = follower.isIdle() ? AlreadySettled.INSTANCE : follower.promise.claim(copyOf(outcome));
                 waiting = more == AlreadySettled.INSTANCE ? waiting : reverse(more, waiting);
             } else if (listener instanceof PendingNotification.End end) {
                 waiting = reverse(end.closeOrTakeLate(), waiting);

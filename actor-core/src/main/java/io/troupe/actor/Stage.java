@@ -131,7 +131,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
      * Like {@link #dispatch(Home)}, but returns this listener, instead of queueing it, if it would be run next; else
      * null.
      */
-    final @Nullable Node handOn(Home here) {
+    final @Nullable Node returnOrEnqueue(Home here) {
         if (owner != null && owner.home() == here && here.isNextCallbackFirst()) {
             return this;
         }
@@ -182,7 +182,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         settleError(thrown);
         if (owner != null && owner.listenerFailed(thrown)) {
             markHandled(); // reported there
-        } else if (isOfTheMachine(thrown)) {
+        } else if (isVirtualMachineError(thrown)) {
             throw (VirtualMachineError) thrown;
         }
     }

@@ -27,7 +27,7 @@ final class TimeLimit {
     private final Duration limit;
     private final long deadlineNanos;
     private final List<Deferred<?>> questions = new ArrayList<>(2); // guarded by this
-    private @Nullable Owner asker; // of the last question; guarded by this
+    private @Nullable Owner caller; // of the last request; guarded by this
     private List<Asked> open = new ArrayList<>(1);
     private int sweepAt = FEW;
     private @Nullable Runnable withdraw; // of the timer, while it is set
@@ -72,7 +72,7 @@ final class TimeLimit {
      */
     synchronized void limit(Deferred<?> question) {
         questions.add(question);
-        asker = caller();
+        caller = caller();
         setTimer();
     }
 
@@ -155,7 +155,7 @@ final class TimeLimit {
 
     private synchronized Throwable pendingError() {
         try {
-            return new TimeoutException("no answer to " + asker + " within " + limit
+            return new TimeoutException("no answer to " + caller + " within " + limit
                     + ": the promise of the function is still pending, and it waits for no request to an actor");
         } catch (Throwable noText) {
             return noText;
@@ -186,7 +186,7 @@ final class TimeLimit {
 
     private Throwable closedError() {
         try {
-            return new CancellationException("space " + home + " was closed before the question was answered");
+            return new CancellationException("space " + home + " was closed before the request was answered");
         } catch (Throwable noText) {
             return noText;
         }

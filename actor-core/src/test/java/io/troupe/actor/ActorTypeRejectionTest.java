@@ -96,7 +96,7 @@ class ActorTypeRejectionTest extends InTestSpace {
             public interface Longs { void go(127 PARAMETERS); }
               Longs.go(long, | takes 254 argument slots | at most 253 | pass an array or a record
             interface Answering { Promise<Callback<Integer>> listener(); }
-              Answering.listener() | on the asker's side
+              Answering.listener() | on the caller's side
             """;
 
     /** A callback is wrapped only where the parameter is one, so no other argument may contain one. */
