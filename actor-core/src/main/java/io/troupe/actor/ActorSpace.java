@@ -63,14 +63,14 @@ public final class ActorSpace implements AutoCloseable {
 
     final SpaceHome home;
     private final boolean closeable;
-    private final SpacePromises promises;
+    private final DelaysAndRetries promises;
     private final AtomicInteger spawned = new AtomicInteger();
 
     private ActorSpace(SpaceHome home, boolean closeable) {
         this.home = home;
         home.facade = this;
         this.closeable = closeable;
-        this.promises = new SpacePromises(home);
+        this.promises = new DelaysAndRetries(home);
     }
 
     /** The shared space: one daemon thread, started on first use, never closed. */

@@ -22,7 +22,7 @@ final class EarlyClasses {
             "io.troupe.actor.Closing",
             "io.troupe.actor.EntryCounter",
             "io.troupe.actor.HandlerTurn",
-            "io.troupe.actor.HelperThreads",
+            "io.troupe.actor.BlockingTaskThreads",
             "io.troupe.actor.IdleStrategy",
             "io.troupe.actor.NodeRing",
             "io.troupe.actor.PoolProxyGenerator",

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * Detects stalled spaces from a separate thread. It costs the space one plain store for each entry.
  *
  * <p><b>Threads.</b> One platform thread checks all watched spaces; it starts with the first and ends soon after the
- * last. What takes time, the stall listener and the flight recorder, runs on one of the {@link HelperThreads}.
+ * last. What takes time, the stall listener and the flight recorder, runs on one of the {@link BlockingTaskThreads}.
  */
 final class Watchdog {
     private static final int LOOKS_PER_LIMIT = 4;
@@ -221,7 +221,7 @@ final class Watchdog {
         }
         var stall = new Stall(space.toString(), Duration.ofNanos(nanos), stack);
         // on another thread, because the listener may block and other spaces are watched too
-        HelperThreads.run(space + "-stall", space.contextClassLoader(), () -> notifyListener(stall));
+        BlockingTaskThreads.run(space + "-stall", space.contextClassLoader(), () -> notifyListener(stall));
         reported = true; // once per message
     }
 
@@ -258,7 +258,7 @@ final class Watchdog {
     private void startRecording() {
         try {
             if (new SpaceFiguresEvent().isEnabled()) {
-                HelperThreads.run(space + "-figures", space.contextClassLoader(), this::recordFigures);
+                BlockingTaskThreads.run(space + "-figures", space.contextClassLoader(), this::recordFigures);
             }
         } catch (Throwable broken) {
             recorderFailed(broken);

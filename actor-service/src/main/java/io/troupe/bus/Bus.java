@@ -65,7 +65,7 @@ public final class Bus implements AutoCloseable {
     private final Clock clock;
     private final long incarnation = new SecureRandom().nextLong(1, 1L << 53); // exact in every language
     private final @Nullable RemoteNodes others; // null for a bus inside one process
-    private final Directory directory;
+    private final LocalPorts localPorts;
     private final PendingRequests pendingRequests = new PendingRequests(this);
     private final RecordCopier copier = new RecordCopier();
     private final AtomicLong numbers = new AtomicLong();
@@ -79,7 +79,7 @@ public final class Bus implements AutoCloseable {
         this.clock = settings.space().clock();
         this.connectedNanos = clock.nanos();
         this.notifier = new ObserverNotifier(settings.observer(), counters);
-        this.directory = new Directory(name);
+        this.localPorts = new LocalPorts(name);
         this.others = engine == null ? null : new RemoteNodes(this, engine, incarnation);
     }
 
@@ -131,7 +131,7 @@ public final class Bus implements AutoCloseable {
      */
     public BusPort attach(String portName) {
         var port = new BusPort(this, new Address(name, portName));
-        directory.add(port);
+        localPorts.add(port);
         if (closed.get()) {
             port.close("the bus " + name + " is closed");
             throw new BusException(port + " cannot be attached: the bus " + name + " is closed");
@@ -143,7 +143,7 @@ public final class Bus implements AutoCloseable {
     @Override
     public void close() {
         if (closed.compareAndSet(false, true)) {
-            directory.ports().forEach(port -> port.close("the bus " + name + " is closed"));
+            localPorts.ports().forEach(port -> port.close("the bus " + name + " is closed"));
             if (others != null) {
                 others.close();
             }
@@ -176,18 +176,18 @@ public final class Bus implements AutoCloseable {
     // ---- called by ports
 
     void use(BusTopic<?> topic) {
-        directory.use(topic);
+        localPorts.use(topic);
     }
 
     void release(BusPort port, BusTopic<?> topic) {
-        directory.release(topic);
+        localPorts.release(topic);
         if (others != null) {
             others.endSeries(port.address(), topic.name());
         }
     }
 
     void add(TopicSubscription<?> subscription) {
-        directory.add(subscription, topic -> {
+        localPorts.add(subscription, topic -> {
             if (others != null) {
                 others.subscribe(topic);
             }
@@ -195,7 +195,7 @@ public final class Bus implements AutoCloseable {
     }
 
     void remove(TopicSubscription<?> subscription) {
-        directory.remove(subscription, topic -> {
+        localPorts.remove(subscription, topic -> {
             if (others != null) {
                 others.unsubscribe(topic);
             }
@@ -203,7 +203,7 @@ public final class Bus implements AutoCloseable {
     }
 
     void detach(BusPort port) {
-        directory.remove(port);
+        localPorts.remove(port);
     }
 
     void publish(BusPort from, BusTopic<?> topic, Record payload) {
@@ -293,7 +293,7 @@ public final class Bus implements AutoCloseable {
 
     /** That life of another node has ended: its requests are not awaited any more. */
     void forgetRequestsOf(String node, long itsIncarnation) {
-        directory.ports().forEach(port -> port.forgetRequestsOf(node, itsIncarnation));
+        localPorts.ports().forEach(port -> port.forgetRequestsOf(node, itsIncarnation));
     }
 
     /** The reply to a request cannot be read. */
@@ -317,13 +317,13 @@ public final class Bus implements AutoCloseable {
     /** The type of the topic's values, or null if this node does not subscribe to it. */
     @Nullable
     Class<?> subscribedType(String topic) {
-        var subscriptions = directory.subscriptions(topic);
+        var subscriptions = localPorts.subscriptions(topic);
         return subscriptions.isEmpty() ? null : subscriptions.getFirst().topic.type();
     }
 
     /** Returns whether a subscriber of this node drops values of the topic that are too old. */
     boolean dropsOldValues(String topic) {
-        return directory.subscriptions(topic).stream().anyMatch(each -> each.topic.maxAge() != null);
+        return localPorts.subscriptions(topic).stream().anyMatch(each -> each.topic.maxAge() != null);
     }
 
     /** The type of an operation's requests, or null if no handler is at that address. */
@@ -339,7 +339,7 @@ public final class Bus implements AutoCloseable {
     }
 
     private @Nullable OperationHandler<?, ?> handler(Address to, String operation) {
-        BusPort port = directory.port(to.name());
+        BusPort port = localPorts.port(to.name());
         return port == null ? null : port.operationHandler(operation);
     }
 
@@ -444,7 +444,7 @@ public final class Bus implements AutoCloseable {
 
     private void deliverToAll(MessageDelivery delivery, String topic) {
         BusMessage message = delivery.message();
-        for (TopicSubscription<?> subscription : directory.subscriptions(topic)) {
+        for (TopicSubscription<?> subscription : localPorts.subscriptions(topic)) {
             if (subscription.topic.type().isInstance(message.payload())) {
                 subscription.offer(delivery); // a subscription that has just ended ignores it
             } else {
@@ -457,9 +457,9 @@ public final class Bus implements AutoCloseable {
     }
 
     private void deliverTo(Address to, String operation, MessageDelivery delivery) {
-        BusPort port = directory.port(to.name());
+        BusPort port = localPorts.port(to.name());
         if (port == null) {
-            reject(to, delivery, "there is no such port; " + directory.hint(to.name()));
+            reject(to, delivery, "there is no such port; " + localPorts.hint(to.name()));
             return;
         }
         OperationHandler<?, ?> handler = port.operationHandler(operation);

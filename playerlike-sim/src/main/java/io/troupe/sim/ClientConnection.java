@@ -38,7 +38,7 @@ final class ClientConnection implements PlayerConnection {
     private final int number;
     private final Set<PortDevice> subscribed = new LinkedHashSet<>();
     private List<PortDevice> inFrameOrder = List.of(); // the same devices, sorted
-    private final PendingCommands pending = new PendingCommands();
+    private final ClientCommands pending = new ClientCommands();
     private final DeviceRequestHandler requestHandler;
     private boolean started;
     private boolean answers = true;
@@ -186,7 +186,7 @@ final class ClientConnection implements PlayerConnection {
             if (subscribed.add(device)) {
                 sortSubscribed();
                 if (device.type() == Interfaces.POSITION2D) {
-                    simulation.countDrivers(device.robot(), 1);
+                    simulation.drivers().joined(device.robot());
                 }
             }
             return device;
@@ -207,7 +207,7 @@ final class ClientConnection implements PlayerConnection {
             sortSubscribed();
             if (device.type() == Interfaces.POSITION2D) {
                 pending.takeAll(device).forEach(Runnable::run); // sent before it unsubscribed
-                simulation.countDrivers(device.robot(), -1);
+                simulation.drivers().left(device.robot());
             }
         }
     }
@@ -226,7 +226,7 @@ final class ClientConnection implements PlayerConnection {
         });
     }
 
-    private void enqueue(PortDevice device, PendingCommands.Kind kind, Runnable action) {
+    private void enqueue(PortDevice device, ClientCommands.Kind kind, Runnable action) {
         boolean late = isAnswering() && publishedTick != NO_TICK && answeredTick >= publishedTick;
         pending.add(device, kind, action, late);
     }

@@ -7,7 +7,7 @@ import io.troupe.player.wire.Interfaces;
 import io.troupe.player.wire.LaserConfiguration;
 import io.troupe.player.wire.Octets;
 import io.troupe.player.wire.Pose3d;
-import io.troupe.sim.PendingCommands.Kind;
+import io.troupe.sim.ClientCommands.Kind;
 import io.troupe.sim.PortServer.PortDevice;
 import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.model.ObstacleSpec;

@@ -33,7 +33,7 @@ final class Grippers {
     private final List<ObstacleSpec> things;
     private final int robotCount;
     private final double intervalS;
-    private final Presence presence;
+    private final WorldContents contents;
     private Scene scene;
     private Physics physics;
     private final int[] heldBy; // by thing, the robot
@@ -43,8 +43,8 @@ final class Grippers {
 
     private record Gripper(int robot, GripperDevice device) {}
 
-    Grippers(WorldSpec spec, Presence presence, Scene scene, Physics physics, List<SimulatedDevices> devices) {
-        this.presence = presence;
+    Grippers(WorldSpec spec, WorldContents contents, Scene scene, Physics physics, List<SimulatedDevices> devices) {
+        this.contents = contents;
         indices = spec.movingObstacles();
         things = indices.stream().map(spec.obstacles()::get).toList();
         robotCount = spec.robots().size();
@@ -69,7 +69,7 @@ final class Grippers {
     private void show() {
         for (int i = 0; i < things.size(); i++) {
             scene.carry(i, heldBy[i]);
-            scene.show(i, presence.holds(indices.get(i)));
+            scene.show(i, contents.holds(indices.get(i)));
         }
     }
 
@@ -80,7 +80,7 @@ final class Grippers {
         if (newPhysics != physics) {
             physics = newPhysics;
             for (int i = 0; i < things.size(); i++) {
-                if (!presence.holds(indices.get(i))) {
+                if (!contents.holds(indices.get(i))) {
                     physics.removeRobot(robotCount + i);
                 } else if (heldBy[i] != NOBODY) {
                     park(i);
@@ -180,7 +180,7 @@ final class Grippers {
     void update(Scratch scratch) {
         for (int i = 0; i < grippers.size(); i++) { // an iterator would be allocated in each interval
             Gripper gripper = grippers.get(i);
-            if (presence.isAway(gripper.robot)) {
+            if (contents.isAway(gripper.robot)) {
                 continue;
             }
             gripper.device.update(scene, gripper.robot, intervalS, scratch, new GripperDevice.Holder() {

@@ -51,7 +51,7 @@ public final class Simulation implements AutoCloseable {
     private final PauseControl time = new PauseControl(lock);
     private final Set<ClientConnection> clients = new LinkedHashSet<>(); // in the order in which they connected
     private final List<PlayerPorts.Registration> ports = new ArrayList<>();
-    private final int[] drivers;
+    private final RobotDrivers drivers;
     private Duration answerLimit = ANSWER_LIMIT;
     private @Nullable Runnable whileWaiting;
     private @Nullable Object pausedBy;
@@ -67,7 +67,7 @@ public final class Simulation implements AutoCloseable {
 
     private Simulation(World world) {
         this.world = world;
-        this.drivers = new int[world.spec().robots().size()];
+        this.drivers = new RobotDrivers(world);
     }
 
     /**
@@ -463,12 +463,8 @@ public final class Simulation implements AutoCloseable {
         clients.remove(client);
     }
 
-    /** Counts the clients that may drive a robot; a robot that lost its last one stops. */
-    void countDrivers(int robot, int change) {
-        drivers[robot] += change;
-        if (drivers[robot] == 0) {
-            world.stop(robot);
-        }
+    RobotDrivers drivers() {
+        return drivers;
     }
 
     /** Sleeps for a pacer, at most for the given time. */

@@ -110,7 +110,7 @@ public final class World implements AutoCloseable {
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
         physics = PhysicsSetup.atStart(spec, settings, starts);
         devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
-        grippers = new Grippers(spec, commands.presence(), scene, physics, devices);
+        grippers = new Grippers(spec, commands.contents(), scene, physics, devices);
         int threads = Math.clamp(robotCount, 1, settings.sensingThreads());
         if (spec.robots().stream().anyMatch(robot -> robot.rangers().stream().anyMatch(RangerSpec::intensities))) {
             scene.readReflectances();
@@ -388,7 +388,7 @@ public final class World implements AutoCloseable {
      * @param intervals at least 1
      * @throws IllegalStateException if the world is closed, or called by its own controller
      */
-    public Snapshot advance(long intervals, Controller controller) {
+    public Snapshot advance(long intervals, IntervalCallback controller) {
         if (intervals < 1) {
             throw new IllegalArgumentException("cannot advance by " + intervals + " intervals, expected at least 1");
         }
@@ -444,7 +444,7 @@ public final class World implements AutoCloseable {
 
     private void advanceUnpublished() {
         if (commands.apply(tick, tick * intervalMicros, physics, devices, scene, grippers)) {
-            changeScene(commands.presence().sensed());
+            changeScene(commands.contents().sensed());
         }
         physics.forgetTouches();
         physics.advance(stepsPerInterval);
@@ -474,7 +474,7 @@ public final class World implements AutoCloseable {
             physics = PhysicsSetup.atStart(spec, settings, starts);
             physicsStartMicros = nowMicros;
             devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
-            grippers = new Grippers(spec, commands.presence(), scene, physics, devices);
+            grippers = new Grippers(spec, commands.contents(), scene, physics, devices);
             sense(); // as at the start: each reading advances the random streams
         }
     }
@@ -487,19 +487,19 @@ public final class World implements AutoCloseable {
 
     /** Builds bodies and scene anew with the boxes, everything else where it is. */
     private void furnish() {
-        Presence presence = commands.furnish(boxes.all());
-        furnished = presence.furnished();
+        WorldContents contents = commands.furnish(boxes.all());
+        furnished = contents.furnished();
         Physics before = physics;
         List<Pose> poses = Stream.concat(
                         IntStream.range(0, devices.size()).mapToObj(before::pose), grippers.poses().stream())
                 .toList();
         physics = PhysicsSetup.at(furnished, settings, poses, before::isHeld);
         IntStream.range(0, spec.obstacles().size())
-                .filter(obstacle -> !presence.holds(obstacle))
+                .filter(obstacle -> !contents.holds(obstacle))
                 .forEach(physics::removeObstacle);
-        IntStream.range(0, devices.size()).filter(presence::isAway).forEach(physics::removeRobot);
+        IntStream.range(0, devices.size()).filter(contents::isAway).forEach(physics::removeRobot);
         physicsStartMicros = tick * intervalMicros;
-        changeScene(presence.sensed());
+        changeScene(contents.sensed());
         for (int i = 0; i < poses.size(); i++) { // robots, and after them the obstacles that move
             scene.place(i, poses.get(i));
         }
@@ -545,7 +545,7 @@ public final class World implements AutoCloseable {
         for (int i = 0; i < devices.size(); i++) {
             readings.add(read(i));
         }
-        Presence presence = commands.presence();
+        WorldContents contents = commands.contents();
         return new Snapshot(
                 tick,
                 tick * intervalMicros,
@@ -553,8 +553,8 @@ public final class World implements AutoCloseable {
                 contacts(),
                 grippers.sensedPoses(),
                 boxes.all(),
-                presence.placedObstacles(),
-                presence.awayRobots(),
+                contents.placedObstacles(),
+                contents.awayRobots(),
                 grippers.held());
     }
 
@@ -614,11 +614,11 @@ public final class World implements AutoCloseable {
     // ---- for the view
 
     boolean isAway(int robot) {
-        return commands.presence().isAway(robot);
+        return commands.contents().isAway(robot);
     }
 
     boolean holdsObstacle(int obstacle) {
-        return commands.presence().holds(obstacle);
+        return commands.contents().holds(obstacle);
     }
 
     double sidewaysMps(int robot) {

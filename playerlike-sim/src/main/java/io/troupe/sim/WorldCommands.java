@@ -38,7 +38,7 @@ final class WorldCommands {
     private final WorldSpec spec;
     private final WorldSettings settings;
     private final List<Integer> movers; // indices of the obstacles that may move
-    private final Presence presence;
+    private final WorldContents contents;
     private volatile PlacementCheck placement;
     private final AtomicReference<@Nullable TeleportCheck> lastCheck = new AtomicReference<>();
     private final List<RobotCommands> robotCommands = new ArrayList<>();
@@ -57,8 +57,8 @@ final class WorldCommands {
         this.spec = spec;
         this.settings = settings;
         movers = spec.movingObstacles();
-        presence = new Presence(spec);
-        placement = presence.placement();
+        contents = new WorldContents(spec);
+        placement = contents.placement();
         for (int i = 0; i < spec.robots().size(); i++) {
             robotCommands.add(
                     new RobotCommands(spec.robots().get(i).drive(), i, settings, spec.intervalMillis() / 1000.0));
@@ -182,18 +182,18 @@ final class WorldCommands {
 
     /** Queues taking an obstacle away. */
     void removeObstacle(int obstacle) {
-        presence.demand(obstacle, null);
+        contents.demand(obstacle, null);
     }
 
     /** Queues putting an obstacle at a pose, which is checked only when it takes effect. */
     void placeObstacle(int obstacle, Pose pose) {
-        presence.demand(obstacle, pose);
+        contents.demand(obstacle, pose);
     }
 
     /** Reason why an obstacle could not be put at a pose in the world of a snapshot, or null. */
     @Nullable
     String obstacleRefusal(int obstacle, Pose pose, Snapshot at) {
-        presence.checkObstacle(obstacle);
+        contents.checkObstacle(obstacle);
         return occupancy(at).refusal(spec.obstacles().get(obstacle), movers.indexOf(obstacle), pose);
     }
 
@@ -239,7 +239,7 @@ final class WorldCommands {
     /** Requests a reset. Commands sent from now on apply after it. */
     void reset() {
         robotCommands.forEach(RobotCommands::forgetUntaken);
-        presence.forgetDemands();
+        contents.forgetDemands();
         deviceCommands.clear();
         resetWanted.set(true);
     }
@@ -291,25 +291,25 @@ final class WorldCommands {
     }
 
     /** Which robots and obstacles are in the world. */
-    Presence presence() {
-        return presence;
+    WorldContents contents() {
+        return contents;
     }
 
     /** After a reset everything is there as at the start. Returns whether something was not. */
     boolean returnToStart() {
-        boolean changed = presence.begin();
+        boolean changed = contents.begin();
         if (changed) {
-            placement = presence.placement();
+            placement = contents.placement();
         }
         return changed;
     }
 
     /** Puts these boxes into the world, instead of those that are there. */
-    Presence furnish(List<ColouredBox> boxes) {
-        presence.furnish(boxes);
-        placement = presence.placement();
+    WorldContents furnish(List<ColouredBox> boxes) {
+        contents.furnish(boxes);
+        placement = contents.placement();
         lastCheck.set(null);
-        return presence;
+        return contents;
     }
 
     /**
@@ -337,14 +337,14 @@ final class WorldCommands {
                 }
                 boolean done = applyTeleport(
                         i, place, tick, occupancy, physics, devices.get(i).position2d());
-                if (done && presence.isAway(i)) {
-                    presence.setAway(i, false);
+                if (done && contents.isAway(i)) {
+                    contents.setAway(i, false);
                     returned = true;
                 }
             }
         }
         if (returned) {
-            placement = presence.placement();
+            placement = contents.placement();
         }
         for (int i = 0; i < robotCommands.size(); i++) {
             RobotCommands commands = robotCommands.get(i);
@@ -357,7 +357,7 @@ final class WorldCommands {
                 }
             }
             commands.apply(nowMicros, log);
-            if (presence.isAway(i)) {
+            if (contents.isAway(i)) {
                 commands.stop();
             }
             commands.steer(odometry);
@@ -397,8 +397,8 @@ final class WorldCommands {
         Recording log = recording.get();
         boolean changed = false;
         for (int i = 0; i < robotCommands.size(); i++) {
-            if (robotCommands.get(i).takeLeave() && !presence.isAway(i)) {
-                presence.setAway(i, true);
+            if (robotCommands.get(i).takeLeave() && !contents.isAway(i)) {
+                contents.setAway(i, true);
                 grippers.putDownAll(i);
                 physics.removeRobot(i);
                 changed = true;
@@ -407,15 +407,15 @@ final class WorldCommands {
                 }
             }
         }
-        SortedMap<Integer, Optional<Pose>> demands = presence.takeDemands();
+        SortedMap<Integer, Optional<Pose>> demands = contents.takeDemands();
         if (demands.isEmpty()) { // iterating would allocate
-            placement = changed ? presence.placement() : placement;
+            placement = changed ? contents.placement() : placement;
             return changed;
         }
         for (var demand : demands.entrySet()) {
             int obstacle = demand.getKey();
-            if (demand.getValue().isEmpty() && presence.holds(obstacle)) {
-                presence.remove(obstacle);
+            if (demand.getValue().isEmpty() && contents.holds(obstacle)) {
+                contents.remove(obstacle);
                 if (grippers.moves(obstacle)) {
                     grippers.remove(obstacle);
                 } else {
@@ -428,7 +428,7 @@ final class WorldCommands {
             }
         }
         if (changed) {
-            placement = presence.placement();
+            placement = contents.placement();
         }
         boolean placed = false;
         for (var demand : demands.entrySet()) {
@@ -436,7 +436,7 @@ final class WorldCommands {
             placed |= pose != null && applyObstacle(demand.getKey(), pose, tick, physics, grippers);
         }
         if (placed) {
-            placement = presence.placement();
+            placement = contents.placement();
         }
         return changed || placed;
     }
@@ -449,11 +449,11 @@ final class WorldCommands {
             return false;
         }
         if (grippers.moves(obstacle)) {
-            presence.show(obstacle);
-            placement = presence.placement(); // of the next obstacle that is placed
+            contents.show(obstacle);
+            placement = contents.placement(); // of the next obstacle that is placed
             grippers.put(obstacle, pose);
         } else {
-            presence.place(obstacle, pose);
+            contents.place(obstacle, pose);
             physics.placeObstacle(obstacle, pose, PhysicsSetup.blockingShape(body));
         }
         Recording log = recording.get();
@@ -500,285 +500,4 @@ final class WorldCommands {
         return robotCommands.get(robot).turnRadps();
     }
 
-    /**
-     * The commands for one robot: the pending ones, which wait for the next interval, and the current one.
-     *
-     * <p><b>Threads.</b> Any thread may send commands, unless a method is documented otherwise; the rest belongs to the
-     * thread that advances the world.
-     *
-     * <p><b>Cost.</b> {@link #driveNow} allocates nothing.
-     */
-    private static final class RobotCommands {
-        /**
-         * A command that waits for the next interval.
-         *
-         * @param limitMicros time for which a speed holds; 0 = until another command
-         */
-        private record PendingDrive(MotionCommand drive, long limitMicros) {}
-
-        private final DriveSpec spec;
-        private final int robot;
-        private final WorldSettings settings;
-        private final double intervalS;
-        private final AtomicReference<@Nullable PendingDrive> newestDrive = new AtomicReference<>();
-        private final AtomicReference<@Nullable Boolean> newestPower = new AtomicReference<>();
-        private final AtomicReference<@Nullable Pose> newestOdometry = new AtomicReference<>();
-        private final AtomicReference<@Nullable Optional<Pose>> newestPlace = new AtomicReference<>(); // empty = leave
-        private boolean hasDirect; // a speed from the thread that advances the world is pending
-        private double directForwardMps;
-        private double directTurnRadps;
-        private @Nullable MotionCommand steering; // null: the held speeds below apply
-        private double heldForwardMps;
-        private double heldSidewaysMps;
-        private double heldTurnRadps;
-        private double sidewaysMps;
-        private double forwardMps; // in force in the interval that has ended
-        private double turnRadps;
-        private boolean powered = true;
-        private long commandedAtMicros;
-        private long limitMicros; // of the current command; 0 = none
-
-        RobotCommands(DriveSpec spec, int robot, WorldSettings settings, double intervalS) {
-            this.intervalS = intervalS;
-            this.spec = spec;
-            this.robot = robot;
-            this.settings = settings;
-            hold(spec.startForwardMps(), spec.startSidewaysMps(), spec.startTurnRadps(), 0, 0);
-        }
-
-        /** @param newLimitMicros time for which a speed holds; 0 = until another command, as always for a goal */
-        void drive(MotionCommand command, long newLimitMicros) {
-            newestDrive.set(new PendingDrive(command, command instanceof MotionCommand.GoTo ? 0 : newLimitMicros));
-        }
-
-        /** Speed command from the thread that advances the world; replaces a pending command of another thread. */
-        void driveNow(double newForwardMps, double newTurnRadps) {
-            if (newestDrive.get() != null) {
-                newestDrive.set(null);
-            }
-            hasDirect = true;
-            directForwardMps = newForwardMps;
-            directTurnRadps = newTurnRadps;
-        }
-
-        void power(boolean on) {
-            newestPower.set(on);
-        }
-
-        void odometry(Pose pose) {
-            newestOdometry.set(pose);
-        }
-
-        void teleport(Pose pose) {
-            newestPlace.set(Optional.of(pose));
-        }
-
-        void remove() {
-            newestPlace.set(Optional.empty());
-        }
-
-        /** Discards the pending commands. */
-        void forgetUntaken() {
-            newestDrive.set(null);
-            newestPower.set(null);
-            newestOdometry.set(null);
-            newestPlace.set(null);
-        }
-
-        @Nullable
-        Pose takeTeleport() {
-            Optional<Pose> place = newestPlace.get();
-            return place != null && place.isPresent() && newestPlace.compareAndSet(place, null) ? place.get() : null;
-        }
-
-        /** True if the robot has to leave; a newer teleport replaces that. */
-        boolean takeLeave() {
-            Optional<Pose> place = newestPlace.get();
-            return place != null && place.isEmpty() && newestPlace.compareAndSet(place, null);
-        }
-
-        @Nullable
-        Pose takeOdometry() {
-            return take(newestOdometry);
-        }
-
-        /** Reads before it swaps: that is cheaper, and mostly the value is null. */
-        private static <T> @Nullable T take(AtomicReference<@Nullable T> newest) {
-            return newest.get() == null ? null : newest.getAndSet(null);
-        }
-
-        /**
-         * Applies the newest command. Motors off, an expired command limit or an expired watchdog stop the robot and
-         * discard its command.
-         */
-        void apply(long nowMicros, @Nullable Recording recording) {
-            Boolean power = take(newestPower);
-            if (power != null && power != powered) {
-                powered = power;
-                if (recording != null) {
-                    recording.power(robot, power);
-                }
-            }
-            if (hasDirect) {
-                hasDirect = false;
-                if (powered) {
-                    recordDirect(recording, steering != null || differs(directForwardMps, 0, directTurnRadps));
-                    hold(directForwardMps, 0, directTurnRadps, nowMicros, 0);
-                }
-            }
-            PendingDrive command = take(newestDrive);
-            if (command != null && powered) {
-                accept(command.drive, command.limitMicros, nowMicros, recording);
-            }
-            if (!powered || isLate(nowMicros)) {
-                stop();
-            } else if (limitMicros > 0 && nowMicros - commandedAtMicros >= limitMicros) {
-                expire(recording);
-            }
-        }
-
-        void stop() {
-            steering = null;
-            heldForwardMps = 0;
-            heldSidewaysMps = 0;
-            heldTurnRadps = 0;
-            limitMicros = 0;
-        }
-
-        /**
-         * Stops the robot when its command limit has expired. Recorded as a command to stand still, because a replay
-         * has no clients and so no command limits.
-         */
-        private void expire(@Nullable Recording recording) {
-            if (recording != null && (steering != null || differs(0, 0, 0))) {
-                recording.drive(robot, MotionCommand.STILL);
-            }
-            stop();
-        }
-
-        private void accept(MotionCommand command, long newLimitMicros, long nowMicros, @Nullable Recording recording) {
-            if (command instanceof MotionCommand.Velocity velocity) {
-                if (recording != null
-                        && (isWatched()
-                                || steering != null
-                                || differs(velocity.forwardMps(), velocity.sidewaysMps(), velocity.turnRadps()))) {
-                    recording.drive(robot, velocity);
-                }
-                hold(velocity.forwardMps(), velocity.sidewaysMps(), velocity.turnRadps(), nowMicros, newLimitMicros);
-                return;
-            }
-            if (recording != null && (isWatched() || !command.equals(steering))) {
-                recording.drive(robot, command);
-            }
-            steering = command;
-            commandedAtMicros = nowMicros;
-            limitMicros = newLimitMicros;
-        }
-
-        private void recordDirect(@Nullable Recording recording, boolean changes) {
-            if (recording != null && (isWatched() || changes)) {
-                recording.drive(robot, new MotionCommand.Velocity(directForwardMps, directTurnRadps));
-            }
-        }
-
-        private boolean differs(double newForwardMps, double newSidewaysMps, double newTurnRadps) {
-            return Double.compare(newForwardMps, heldForwardMps) != 0
-                    || newSidewaysMps != heldSidewaysMps
-                    || Double.compare(newTurnRadps, heldTurnRadps) != 0;
-        }
-
-        private void hold(
-                double newForwardMps, double newSidewaysMps, double newTurnRadps, long nowMicros, long newLimitMicros) {
-            steering = null;
-            heldForwardMps = newForwardMps;
-            heldSidewaysMps = newSidewaysMps;
-            heldTurnRadps = newTurnRadps;
-            commandedAtMicros = nowMicros;
-            limitMicros = newLimitMicros;
-        }
-
-        private boolean isWatched() {
-            return settings.watchdogMicros() > 0;
-        }
-
-        /**
-         * True if the watchdog has expired. It does not watch a robot on its way to a goal: that command ends by
-         * itself, while a speed would hold for ever.
-         */
-        private boolean isLate(long nowMicros) {
-            return isWatched()
-                    && !(steering instanceof MotionCommand.GoTo)
-                    && nowMicros - commandedAtMicros >= settings.watchdogMicros();
-        }
-
-        /** Computes the speeds of the next interval from the current command and the reported odometry. */
-        void steer(Position2d odometry) {
-            MotionCommand how = steering;
-            if (how == null) {
-                approach(heldForwardMps, heldSidewaysMps, heldTurnRadps);
-            } else {
-                MotionCommand.Velocity wanted = how.now(odometry.reported(), spec.steering());
-                approach(wanted.forwardMps(), wanted.sidewaysMps(), wanted.turnRadps());
-            }
-        }
-
-        /** Sets the speeds to the wanted ones, as far as the bounds and the kind of drive allow. */
-        private void approach(double wantedForwardMps, double wantedSidewaysMps, double wantedTurnRadps) {
-            double beforeForwardMps = forwardMps;
-            double beforeSidewaysMps = sidewaysMps;
-            double beforeTurnRadps = turnRadps;
-            if (spec.steering() instanceof Steering.Car car) {
-                clamp(
-                        wantedForwardMps * StrictMath.cos(wantedTurnRadps),
-                        0,
-                        wantedForwardMps * StrictMath.sin(wantedTurnRadps) / car.wheelbaseM());
-            } else {
-                clamp(wantedForwardMps, wantedSidewaysMps, wantedTurnRadps);
-            }
-            if (settings.obeysAccelerationBounds()) {
-                DriveSpec.Bounds bounds = spec.accelerationBounds();
-                forwardMps = limited(beforeForwardMps, forwardMps, bounds.leastForward(), bounds.mostForward());
-                sidewaysMps = limited(beforeSidewaysMps, sidewaysMps, bounds.leastSideways(), bounds.mostSideways());
-                turnRadps = limited(beforeTurnRadps, turnRadps, bounds.leastTurn(), bounds.mostTurn());
-            }
-        }
-
-        /** @param least of the acceleration, as is {@code most} */
-        private double limited(double before, double wanted, double least, double most) {
-            return Math.clamp(wanted, before + least * intervalS, before + most * intervalS);
-        }
-
-        private void clamp(double wantedForwardMps, double wantedSidewaysMps, double wantedTurnRadps) {
-            DriveSpec.Bounds bounds = spec.velocityBounds();
-            forwardMps = clamp(wantedForwardMps, bounds.leastForward(), bounds.mostForward(), settings.maxForwardMps());
-            sidewaysMps = wantedSidewaysMps == 0
-                    ? 0
-                    : clamp(wantedSidewaysMps, bounds.leastSideways(), bounds.mostSideways(), settings.maxForwardMps());
-            turnRadps = clamp(wantedTurnRadps, bounds.leastTurn(), bounds.mostTurn(), settings.maxTurnRadps());
-        }
-
-        private static double clamp(double wanted, double least, double most, double limit) {
-            return Math.clamp(Math.clamp(wanted, least, most), -limit, limit);
-        }
-
-        double forwardMps() {
-            return forwardMps;
-        }
-
-        double sidewaysMps() {
-            return sidewaysMps;
-        }
-
-        double turnRadps() {
-            return turnRadps;
-        }
-
-        /** Resets the robot to its start speeds. */
-        void forget(long nowMicros) {
-            hold(spec.startForwardMps(), spec.startSidewaysMps(), spec.startTurnRadps(), nowMicros, 0);
-            hasDirect = false;
-            powered = true;
-            clamp(0, 0, 0);
-        }
-    }
 }

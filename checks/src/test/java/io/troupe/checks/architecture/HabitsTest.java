@@ -28,7 +28,7 @@ class HabitsTest {
             "io.troupe.actor.ActorType.POOLS", // the same for pools
             // which classes of callbacks have their own isCancelled()
             "io.troupe.actor.ReturningCallback.OWN_IS_CANCELLED",
-            "io.troupe.actor.HelperThreads.POOL", // threads for bodies, shared by all spaces
+            "io.troupe.actor.BlockingTaskThreads.POOL", // threads for bodies, shared by all spaces
             "io.troupe.actor.Watchdog.LOOKS", // the one thread that watches all spaces
             "io.troupe.actor.HandlerTurn.OTHERS", // the handlers that a thread runs, one set per thread
             "io.troupe.actor.internal.loop.Home.CURRENT", // the home a thread belongs to, one per thread

@@ -20,7 +20,7 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Follows a run of the main job through its {@link RunWirings declaration}: translates what the observers of actors,
+ * Follows a run of the main job through its {@link MonitoredRunWiring declaration}: translates what the observers of actors,
  * services and states notice to the calls of the declaration.
  *
  * <table>
@@ -59,7 +59,7 @@ public final class RunMonitor {
     private boolean isOver; // after a failure
 
     public RunMonitor(Mode mode, int robots) {
-        this(mode, robots, WiringMonitor.of(RunWirings.withFailures(mode, robots)));
+        this(mode, robots, WiringMonitor.of(MonitoredRunWiring.withFailures(mode, robots)));
     }
 
     /** @param monitor of the wiring for this mode and number of robots */

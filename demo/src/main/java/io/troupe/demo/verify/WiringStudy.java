@@ -29,10 +29,10 @@ record WiringStudy(String name, Wiring wiring, WiringResult result) {
         wirings.put(
                 "the same with " + team + ", each of which stops with its player only",
                 PaperWiring.robotsStoppingOneByOne(robots));
-        wirings.put("troupe run with " + team + ", a colour is a promise", TroupeWiring.withPromises(robots));
+        wirings.put("troupe run with " + team + ", a colour is a promise", ProvedRunWiring.withPromises(robots));
         wirings.put(
                 "troupe run with 2 robots, if a colour were a call that is waited for",
-                TroupeWiring.withDirectCalls(2));
+                ProvedRunWiring.withDirectCalls(2));
         return wirings.entrySet().stream()
                 .map(each -> of(each.getKey(), each.getValue(), progress))
                 .peek(done)

@@ -389,20 +389,20 @@ class VerifyCommandTest extends CommandLineBench {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
     void withPromises_isProved(int robots) {
-        assertThat(WiringCheck.check(TroupeWiring.withPromises(robots))).isInstanceOf(WiringResult.Proved.class);
+        assertThat(WiringCheck.check(ProvedRunWiring.withPromises(robots))).isInstanceOf(WiringResult.Proved.class);
     }
 
     @Test
     void withPromises_ofSixRobots_hasNoDeadMarking() {
-        assertThat(DeadlockSearch.run(TroupeWiring.withPromises(6).net()).deadlockFree())
+        assertThat(DeadlockSearch.run(ProvedRunWiring.withPromises(6).net()).deadlockFree())
                 .isEqualTo(Verdict.YES);
     }
 
     /** With a single service no colour is seen while the arbitrator changes the state for another one. */
     @Test
     void withDirectCalls_isProvedOfOneRobot_andDeadlocksOfTwo() {
-        assertThat(WiringCheck.check(TroupeWiring.withDirectCalls(1))).isInstanceOf(WiringResult.Proved.class);
-        var two = (WiringResult.Deadlock) WiringCheck.check(TroupeWiring.withDirectCalls(2));
+        assertThat(WiringCheck.check(ProvedRunWiring.withDirectCalls(1))).isInstanceOf(WiringResult.Proved.class);
+        var two = (WiringResult.Deadlock) WiringCheck.check(ProvedRunWiring.withDirectCalls(2));
         assertThat(two.counterexample().sentence())
                 .isEqualTo("service1 waits for arbitrator.colour; arbitrator waits for service1.stop: all ask and"
                         + " none answers");

@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> Any thread may demand changes of obstacles; the rest belongs to the thread that advances the
  * world.
  */
-final class Presence {
+final class WorldContents {
     private static final SortedMap<Integer, Optional<Pose>> NO_DEMANDS = Collections.emptySortedMap();
 
     private final WorldSpec spec;
@@ -35,7 +35,7 @@ final class Presence {
     private final SortedMap<Integer, Optional<Pose>> demanded = new TreeMap<>(); // empty = take away
     private volatile boolean hasDemands;
 
-    Presence(WorldSpec spec) {
+    WorldContents(WorldSpec spec) {
         this.spec = spec;
         movers = spec.movingObstacles();
         away = new boolean[spec.robots().size()];

@@ -20,8 +20,8 @@ import java.util.function.IntFunction;
  * <p><b>Source.</b> The classes {@code Simulation}, {@code RobotServicesActor} and {@code Arbitrator}. ADR 0003 defines
  * when an actor space has answered a reading.
  */
-final class TroupeWiring {
-    private TroupeWiring() {}
+final class ProvedRunWiring {
+    private ProvedRunWiring() {}
 
     /** The implemented wiring: a service fulfils a promise and does not wait for the arbitrator. */
     static Wiring withPromises(int robots) {

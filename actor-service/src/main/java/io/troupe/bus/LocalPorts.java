@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** The registry of one node: ports by name, subscriptions by topic, and the value type of each topic. */
-final class Directory {
+final class LocalPorts {
     private final String node;
     private final Map<String, BusPort> ports = new ConcurrentHashMap<>();
     private final Map<String, List<TopicSubscription<?>>> subscriptions = new ConcurrentHashMap<>();
@@ -19,7 +19,7 @@ final class Directory {
     /** The value type of a topic, and the number of ports that have published or subscribed to it. */
     private record TypeInUse(Class<?> type, int ports) {}
 
-    Directory(String node) {
+    LocalPorts(String node) {
         this.node = node;
     }
 

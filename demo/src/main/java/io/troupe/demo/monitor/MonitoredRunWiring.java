@@ -27,14 +27,14 @@ import java.util.function.IntFunction;
  * <p>With failures a service may fail at any time, also while it stops. In one process this ends the run: the world
  * asks it no more, and the others wait. Before that, they may go on with the reading.
  */
-final class RunWirings {
+final class MonitoredRunWiring {
     private static final String OVER = "over";
 
     private final Mode mode;
     private final int robots;
     private final boolean mayFail;
 
-    private RunWirings(Mode mode, int robots, boolean mayFail) {
+    private MonitoredRunWiring(Mode mode, int robots, boolean mayFail) {
         this.mode = mode;
         this.robots = robots;
         this.mayFail = mayFail;
@@ -42,11 +42,11 @@ final class RunWirings {
 
     /** Without failures. */
     static Wiring of(Mode mode, int robots) {
-        return new RunWirings(mode, robots, false).wiring();
+        return new MonitoredRunWiring(mode, robots, false).wiring();
     }
 
     static Wiring withFailures(Mode mode, int robots) {
-        return new RunWirings(mode, robots, true).wiring();
+        return new MonitoredRunWiring(mode, robots, true).wiring();
     }
 
     private Wiring wiring() {

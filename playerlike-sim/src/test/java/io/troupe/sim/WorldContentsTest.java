@@ -21,7 +21,7 @@ import org.junit.jupiter.api.parallel.Isolated;
 
 /** Robots and obstacles that come and go. */
 @Isolated("reads the log")
-class PresenceTest {
+class WorldContentsTest {
     private static final int BOX = 0;
     private static final double NOSE_M = 0.18; // ahead of the axle
 

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> Any thread.
  */
-final class HelperThreads {
+final class BlockingTaskThreads {
     private static final long IDLE_SECONDS = 10;
     private static final String IDLE_NAME = "troupe-helper";
 
@@ -30,7 +30,7 @@ final class HelperThreads {
                     .name(IDLE_NAME)
                     .unstarted(task)));
 
-    private HelperThreads() {}
+    private BlockingTaskThreads() {}
 
     /**
      * Runs a task on a thread that has this name and context class loader meanwhile.

@@ -12,11 +12,11 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /** The promises that a space itself makes: of blocking work, of a delay, and of the end of a loop. */
-final class SpacePromises {
+final class DelaysAndRetries {
     private final SpaceHome space;
     private final Semaphore offloadPlaces;
 
-    SpacePromises(SpaceHome space) {
+    DelaysAndRetries(SpaceHome space) {
         this.space = space;
         this.offloadPlaces = new Semaphore(space.settings.offloadLimit(), true);
     }
@@ -227,7 +227,7 @@ final class SpacePromises {
                 if (step == null) {
                     nextTurn(() -> end.reject(new CancellationException("the actor of this loop has stopped")));
                 } else {
-                    SpacePromises.next(step, this::next, end);
+                    DelaysAndRetries.next(step, this::next, end);
                 }
             } catch (Throwable thrown) {
                 end.reject(thrown);

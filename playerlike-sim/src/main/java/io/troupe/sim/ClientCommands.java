@@ -16,7 +16,7 @@ import java.util.Map;
  *
  * <p><b>Threads.</b> Guarded by the simulation's lock.
  */
-final class PendingCommands {
+final class ClientCommands {
     /** Kinds of commands that can be pending for a device at the same time. */
     enum Kind {
         RESET,
