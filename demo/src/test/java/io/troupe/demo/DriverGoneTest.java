@@ -24,6 +24,7 @@ import io.troupe.services.component.application.ApplicationSettings;
 import io.troupe.services.component.kinds.BehaviourComponent;
 import io.troupe.services.component.kinds.PlayerComponent;
 import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.LeasedRobots;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.services.subsumption.RobotServicesActor;
@@ -147,8 +148,8 @@ class DriverGoneTest {
 
     private SubsumptionRun.Settings settings(
             Mode mode, int port, SubsumptionTable table, Arbitrator.StateListener listener) {
-        return new SubsumptionRun.Settings(
-                mode, "localhost", port, table, simulation.clock(), ServiceObserver.none(), listener);
+        var robots = new RobotServicesActor.Settings("localhost", port, table, ServiceObserver.none());
+        return new SubsumptionRun.Settings(mode, robots, simulation.clock(), listener);
     }
 
     private SubsumptionRun start(Mode mode, Service ofRobot1, Service ofRobot2) throws InterruptedException {
@@ -232,7 +233,7 @@ class DriverGoneTest {
     private static RobotServices drive(ActorSpace space, int port) {
         var settings = RobotServicesActor.Settings.ofThePaper().withPort(port);
         RobotServices services = space.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
-        services.drive(0, Service.WALL_FOLLOWER.name(), NamedColours.BLUE);
+        space.execute(() -> LeasedRobots.of(services).drive(0, Service.WALL_FOLLOWER.name(), NamedColours.BLUE));
         var connected = new CountDownLatch(1);
         space.onIdle(connected::countDown);
         await(connected);

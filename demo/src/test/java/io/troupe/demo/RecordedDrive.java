@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.State;
@@ -28,9 +29,9 @@ public final class RecordedDrive implements ServiceObserver, Arbitrator.StateLis
     /** Lets the services of a table drive for a time, checks that none has failed, and returns the end. */
     public Snapshot drive(Mode mode, Scenario scenario, SubsumptionTable table, int seconds)
             throws InterruptedException {
+        var robots = new RobotServicesActor.Settings("localhost", 6665, table, this);
         try (var simulation = Simulation.open(scenario, WorldSettings.defaults().withSeed(1));
-                var run = SubsumptionRun.start(
-                        new SubsumptionRun.Settings(mode, "localhost", 6665, table, simulation.clock(), this, this))) {
+                var run = SubsumptionRun.start(new SubsumptionRun.Settings(mode, robots, simulation.clock(), this))) {
             while (simulation.timeMicros() < seconds * 1_000_000L) {
                 simulation.tick();
                 run.check();

@@ -3,10 +3,10 @@ package io.troupe.view;
 import io.troupe.actor.CallObserver;
 import io.troupe.common.text.Plural;
 import io.troupe.services.subsumption.DriverReport;
-import io.troupe.services.subsumption.HostedRun;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotNode;
 import io.troupe.services.subsumption.State;
+import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.model.WorldSpec;
@@ -82,7 +82,7 @@ public final class RecordedHostedRun {
             log.begin(settings);
             var recorder = new RunRecorder(settings.world(), settings.table(), log, listener::stateStarted);
             var events = new Events(recorder, listener);
-            try (var running = HostedRun.start(node, settings.mode(), settings.table(), events)) {
+            try (var running = SubsumptionRun.overHosts(node, settings.mode(), settings.table(), events)) {
                 return record(world, recorder, events, running, listener);
             } catch (RuntimeException | Error failure) {
                 recorder.fail();
@@ -92,7 +92,7 @@ public final class RecordedHostedRun {
     }
 
     private RunResult record(
-            RemoteWorld world, RunRecorder recorder, Events events, HostedRun running, Listener listener) {
+            RemoteWorld world, RunRecorder recorder, Events events, SubsumptionRun running, Listener listener) {
         Snapshot snapshot = world.next();
         events.record();
         if (snapshot != null) {
@@ -116,7 +116,7 @@ public final class RecordedHostedRun {
     }
 
     /** Keeps what happens on the arbitrator's thread until the thread that records gets to it. */
-    private final class Events implements HostedRun.Listener {
+    private final class Events implements SubsumptionRun.HostsListener {
         private final RunRecorder recorder;
         private final Listener listener;
         private final Queue<Runnable> queue = new ConcurrentLinkedQueue<>();

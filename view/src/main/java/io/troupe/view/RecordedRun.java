@@ -4,6 +4,7 @@ import io.troupe.actor.CallObserver;
 import io.troupe.common.text.Plural;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -322,15 +323,10 @@ public final class RecordedRun {
         try (var simulation = Simulation.open(scenario, world)) {
             log.begin(scenario.world(), settings);
             var recorder = new RunRecorder(scenario.world(), table, log, listener::stateStarted);
+            var robots = new RobotServicesActor.Settings(
+                    "localhost", port, table, listener.services(recorder), settings.reconnects());
             var services = new SubsumptionRun.Settings(
-                            settings.mode(),
-                            "localhost",
-                            port,
-                            table,
-                            simulation.clock(),
-                            listener.services(recorder),
-                            listener.states(recorder))
-                    .withReconnection(settings.reconnects())
+                            settings.mode(), robots, simulation.clock(), listener.states(recorder))
                     .withRound(settings.round())
                     .withCallObserver(listener.callObserver());
             try (var running = SubsumptionRun.start(services);

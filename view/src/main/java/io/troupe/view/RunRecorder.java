@@ -35,8 +35,8 @@ import org.jspecify.annotations.Nullable;
  * {@snippet :
  * log.begin(scenario.world(), described);
  * var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
- * var settings = new SubsumptionRun.Settings(
- *         Mode.CALLBACK, "localhost", 6665, table, simulation.clock(), recorder, recorder);
+ * var robots = RobotServicesActor.Settings.ofThePaper().withObserver(recorder);
+ * var settings = new SubsumptionRun.Settings(Mode.CALLBACK, robots, simulation.clock(), recorder);
  * try (var running = SubsumptionRun.start(settings)) {
  *     recorder.start(simulation.latest());
  *     while (simulation.timeMicros() < 2_000_000) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.ServiceObserver;
@@ -217,8 +218,8 @@ class ModesTest {
         try (var simulation = Simulation.open(
                 ScenarioReader.read(WORLD), WorldSettings.defaults().withSeed(1))) {
             var table = SubsumptionTable.ofThePaper();
-            var settings = new SubsumptionRun.Settings(
-                    mode, "localhost", 6665, table, simulation.clock(), callbacks, callbacks);
+            var robots = new RobotServicesActor.Settings("localhost", 6665, table, callbacks);
+            var settings = new SubsumptionRun.Settings(mode, robots, simulation.clock(), callbacks);
             try (var run = SubsumptionRun.start(settings)) {
                 while (Collections.frequency(called, "stateStarted") < 3 && simulation.timeMicros() < SECONDS * 1e6) {
                     simulation.tick();

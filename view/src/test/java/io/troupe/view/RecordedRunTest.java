@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
@@ -80,8 +81,8 @@ class RecordedRunTest {
                 var log = new RunLog(out.resolve("own.jsonl"))) {
             log.begin(scenario.world(), described);
             var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
-            var settings = new SubsumptionRun.Settings(
-                    Mode.CALLBACK, "localhost", 6665, table, simulation.clock(), recorder, recorder);
+            var robots = RobotServicesActor.Settings.ofThePaper().withObserver(recorder);
+            var settings = new SubsumptionRun.Settings(Mode.CALLBACK, robots, simulation.clock(), recorder);
             try (var running = SubsumptionRun.start(settings)) {
                 recorder.start(simulation.latest());
                 while (simulation.timeMicros() < 2_000_000) {

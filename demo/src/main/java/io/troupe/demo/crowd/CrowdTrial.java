@@ -4,6 +4,7 @@ import com.sun.management.OperatingSystemMXBean;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.State;
@@ -165,14 +166,9 @@ final class CrowdTrial {
             var watch = new Watch();
             var drivers = new Drivers(settings.robots());
             int port = scenario.devices().getFirst().port();
-            var services = new SubsumptionRun.Settings(
-                            Mode.PROMISE,
-                            "localhost",
-                            port,
-                            table,
-                            simulation.clock(),
-                            page == null ? ServiceObserver.none() : drivers,
-                            watch)
+            var robots = new RobotServicesActor.Settings(
+                    "localhost", port, table, page == null ? ServiceObserver.none() : drivers);
+            var services = new SubsumptionRun.Settings(Mode.PROMISE, robots, simulation.clock(), watch)
                     .withCallObserver(page == null ? null : page.callGraph());
             if (page != null) {
                 var viewed =

@@ -3,6 +3,7 @@ package io.troupe.demo.evaluate;
 import io.troupe.actor.Clock;
 import io.troupe.common.text.NamedColours;
 import io.troupe.demo.evaluate.Measurement.Kind;
+import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -99,8 +100,8 @@ final class JobRunner {
     }
 
     private static SubsumptionRun.Settings settings(Job job, String host, int port, Clock clock, Meter meter) {
-        return new SubsumptionRun.Settings(job.mode(), host, port, table(job), clock, meter, meter)
-                .withReconnection(job.kind() == Kind.RECONNECTS);
+        var robots = new RobotServicesActor.Settings(host, port, table(job), meter, job.kind() == Kind.RECONNECTS);
+        return new SubsumptionRun.Settings(job.mode(), robots, clock, meter);
     }
 
     private static Meter meter(Job job, Meter.RobotClock time) {

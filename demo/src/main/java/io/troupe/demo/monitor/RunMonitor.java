@@ -25,9 +25,9 @@ import org.jspecify.annotations.Nullable;
  *
  * <table>
  * <caption>What is observed, and what it is in the declaration</caption>
- * <tr><td>a call of {@code drive} or {@code stop}</td><td>the arbitrator's call of a starter or stopper, which then
- *     asks the service</td></tr>
- * <tr><td>the services begin {@code drive}</td><td>{@code service.begin}</td></tr>
+ * <tr><td>a call of {@code drive}, {@code report} or {@code stop}</td><td>the arbitrator's call of a starter or
+ *     stopper, which then asks the service</td></tr>
+ * <tr><td>the services begin {@code drive} or {@code report}</td><td>{@code service.begin}</td></tr>
  * <tr><td>the promise of {@code stop} is settled</td><td>the answer of {@code service.stop}</td></tr>
  * <tr><td>a service ends that nothing has stopped, or a call of it is settled with an error</td><td>its
  *     failure</td></tr>
@@ -56,6 +56,7 @@ public final class RunMonitor {
     private @Nullable Integer inCycle; // in sync mode
     private boolean isAlive;
     private boolean isSwitching;
+    private int stopped; // robots that the arbitrator has stopped in this switch
     private boolean isOver; // after a failure
 
     public RunMonitor(Mode mode, int robots) {
@@ -185,8 +186,12 @@ public final class RunMonitor {
         };
     }
 
-    private static String robot(CallObserver.Call call) {
-        return String.valueOf((Integer) call.arguments().getFirst() + 1);
+    private static int robot(CallObserver.Call call) {
+        return (Integer) call.arguments().get(1); // after the lease
+    }
+
+    private static String name(String component, int robot) {
+        return component + (robot + 1);
     }
 
     private static boolean isStop(CallObserver.Call call) {
@@ -194,41 +199,56 @@ public final class RunMonitor {
     }
 
     private synchronized void called(CallObserver.Call call) {
-        String robot = robot(call);
-        if (!isStop(call)) {
-            stopping.remove((Integer) call.arguments().getFirst());
-            monitor.called("arbitrator", "starter" + robot + ".send");
-            monitor.asked("starter" + robot, "service" + robot + ".begin");
-            return;
+        int robot = robot(call);
+        if (isStop(call)) {
+            stopsEnded(robot);
+            stopped = robot + 1;
+            asksStop(robot);
+            call.whenSettled(error -> {
+                if (error == null) {
+                    monitor.answered(name("stopper", robot), name("service", robot) + ".stop");
+                } else {
+                    failed(robot);
+                }
+            });
+        } else {
+            stopping.remove(robot);
+            monitor.called("arbitrator", name("starter", robot) + ".send");
+            monitor.asked(name("starter", robot), name("service", robot) + ".begin");
         }
+    }
+
+    /** The arbitrator stops all services, in the order of robots; one that has ended by itself needs no message. */
+    private void stopsEnded(int upTo) {
         if (!isSwitching) {
             isSwitching = true;
             monitor.called("inbox", "arbitrator.change");
         }
-        monitor.called("arbitrator", "stopper" + robot + ".send");
-        monitor.asked("stopper" + robot, "service" + robot + ".stop");
-        call.whenSettled(error -> {
-            if (error == null) {
-                monitor.answered("stopper" + robot, "service" + robot + ".stop");
-            } else {
-                failed(Integer.parseInt(robot) - 1);
-            }
-        });
+        for (int robot = stopped; robot < upTo; robot++) {
+            asksStop(robot);
+            monitor.taken(name("stopper", robot), name("service", robot) + ".stop");
+            monitor.answered(name("stopper", robot), name("service", robot) + ".stop");
+        }
+    }
+
+    private void asksStop(int robot) {
+        monitor.called("arbitrator", name("stopper", robot) + ".send");
+        monitor.asked(name("stopper", robot), name("service", robot) + ".stop");
     }
 
     private void begun(CallObserver.Call call) {
-        String robot = robot(call);
+        int robot = robot(call);
         if (isStop(call)) {
             synchronized (this) {
-                stopping.add((Integer) call.arguments().getFirst());
+                stopping.add(robot);
             }
-            monitor.taken("stopper" + robot, "service" + robot + ".stop");
+            monitor.taken(name("stopper", robot), name("service", robot) + ".stop");
         } else {
-            monitor.taken("starter" + robot, "service" + robot + ".begin");
-            monitor.answered("starter" + robot, "service" + robot + ".begin");
+            monitor.taken(name("starter", robot), name("service", robot) + ".begin");
+            monitor.answered(name("starter", robot), name("service", robot) + ".begin");
             call.whenSettled(error -> {
                 if (error != null) {
-                    failed(Integer.parseInt(robot) - 1);
+                    failed(robot);
                 }
             });
         }
@@ -249,11 +269,15 @@ public final class RunMonitor {
     }
 
     private synchronized void alive() {
-        for (int robot = 1; isAlive && robot <= robots; robot++) {
-            monitor.called("arbitrator", "stopper" + robot + ".done");
+        if (isAlive) {
+            stopsEnded(robots);
+            for (int robot = 0; robot < robots; robot++) {
+                monitor.called("arbitrator", name("stopper", robot) + ".done");
+            }
         }
         isAlive = true;
         isSwitching = false;
+        stopped = 0;
     }
 
     /** Whether this is the first message of a reading in callback mode, or any in promise mode. */

@@ -15,6 +15,7 @@ import io.troupe.demo.ParsedSvg;
 import io.troupe.demo.crowd.CrowdReport.Row;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.LeasedRobots;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.services.subsumption.RobotServicesActor;
@@ -200,7 +201,7 @@ class CrowdTest {
                             type, need, ConnectionSettings.defaults().withoutAnswerLimit())
                     .actor();
             Arbitrator.StateListener nobody = (state, seenBy) -> {};
-            space.spawn(Arbitrator.class, () -> new Arbitrator(Mode.PROMISE, services, table, nobody))
+            space.spawn(Arbitrator.class, () -> new Arbitrator(Mode.PROMISE, LeasedRobots.of(services), table, nobody))
                     .live();
             var begun = new CountDownLatch(1);
             space.onIdle(begun::countDown);

@@ -43,6 +43,7 @@ import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Assignment;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionRun;
@@ -342,13 +343,14 @@ class GuideSamplesTest {
         int ticks = 20;
         var observer = new RecordedDrive();
         var listener = observer;
-        var table = SubsumptionTable.ofThePaper();
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.world"));
         try (var simulation = Simulation.open(scenario, WorldSettings.defaults().withSeed(1))) {
             var clock = simulation.clock();
-            var settings =
-                    new SubsumptionRun.Settings(Mode.CALLBACK, "localhost", 6665, table, clock, observer, listener);
-            try (var run = SubsumptionRun.start(settings.withReconnection(true))) {
+            var robots = RobotServicesActor.Settings.ofThePaper()
+                    .withObserver(observer)
+                    .withReconnection(true);
+            var settings = new SubsumptionRun.Settings(Mode.CALLBACK, robots, clock, listener);
+            try (var run = SubsumptionRun.start(settings)) {
                 // advance the world; check() throws if a service has failed
                 for (int i = 0; i < ticks; i++) {
                     simulation.tick();

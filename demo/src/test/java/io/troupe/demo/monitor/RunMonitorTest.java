@@ -19,6 +19,7 @@ import io.troupe.petri.wiring.WiringResult;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.ColourReport;
+import io.troupe.services.subsumption.LeasedRobots;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.services.subsumption.RobotServicesActor;
@@ -38,7 +39,10 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.EnumSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
@@ -273,9 +277,9 @@ class RunMonitorTest {
     void stopThatIsNotWaitedFor_isFound(Mode mode) {
         assertThatThrownBy(() -> run(mode, services -> new Changed(services) {
                     @Override
-                    public Promise<@Nullable Void> stop(int robot) {
-                        super.stop(robot);
-                        return Promise.done();
+                    public Promise<@Nullable Void> stop(Lease lease, int robot) {
+                        end(robot, new ServiceEnd(Optional.empty(), false));
+                        return super.stop(lease, robot);
                     }
                 }))
                 .isInstanceOf(ViolationException.class)
@@ -289,9 +293,9 @@ class RunMonitorTest {
     void stopThatIsSentTwice_isFound(Mode mode) {
         assertThatThrownBy(() -> run(mode, services -> new Changed(services) {
                     @Override
-                    public Promise<@Nullable Void> stop(int robot) {
-                        super.stop(robot);
-                        return super.stop(robot);
+                    public Promise<@Nullable Void> stop(Lease lease, int robot) {
+                        super.stop(lease, robot);
+                        return super.stop(lease, robot);
                     }
                 }))
                 .isInstanceOf(ViolationException.class)
@@ -304,9 +308,9 @@ class RunMonitorTest {
     void answerThatIsLeftOut_isFound(Mode mode) {
         assertThatThrownBy(() -> run(mode, services -> new Changed(services) {
                     @Override
-                    public Promise<@Nullable Void> stop(int robot) {
-                        Promise<@Nullable Void> stopped = super.stop(robot);
-                        return robot == 1 ? new Deferred<>() : stopped;
+                    public Promise<@Nullable Void> stop(Lease lease, int robot) {
+                        leaveOut(robot);
+                        return super.stop(lease, robot);
                     }
                 }))
                 .isInstanceOf(ViolationException.class)
@@ -317,24 +321,57 @@ class RunMonitorTest {
     /** The services, in front of which a mistake can be made. */
     private static class Changed implements RobotServices {
         private final RobotServices services;
+        private final Map<Integer, Deferred<ServiceEnd>> ends = new HashMap<>(); // by robot
 
         Changed(RobotServices services) {
             this.services = services;
         }
 
-        @Override
-        public Promise<ServiceEnd> drive(int robot, String service, int stateColour) {
-            return services.drive(robot, service, stateColour);
+        /** The call for a robot ends now, for its caller. */
+        void end(int robot, ServiceEnd how) {
+            ends.get(robot).resolve(how);
+        }
+
+        /** The call for a robot never ends, for its caller. */
+        void leaveOut(int robot) {
+            ends.put(robot, new Deferred<>());
+        }
+
+        private Promise<ServiceEnd> changeable(int robot, Promise<ServiceEnd> real) {
+            var changed = new Deferred<ServiceEnd>();
+            ends.put(robot, changed);
+            real.handle((how, error) -> {
+                if (ends.get(robot) == changed) {
+                    changed.resolveFrom(real);
+                }
+                return null;
+            });
+            return changed;
         }
 
         @Override
-        public void drive(int robot, String service, Callback<ColourReport> reports) {
-            services.drive(robot, service, reports);
+        public Promise<Stamp> stamp() {
+            return services.stamp();
         }
 
         @Override
-        public Promise<@Nullable Void> stop(int robot) {
-            return services.stop(robot);
+        public Promise<ServiceEnd> drive(Lease lease, int robot, String service, int stateColour) {
+            return changeable(robot, services.drive(lease, robot, service, stateColour));
+        }
+
+        @Override
+        public Promise<ServiceEnd> report(Lease lease, int robot, String service, Callback<ColourReport> reports) {
+            return changeable(robot, services.report(lease, robot, service, reports));
+        }
+
+        @Override
+        public Promise<Renewal> renew(Lease lease, int robot) {
+            return services.renew(lease, robot);
+        }
+
+        @Override
+        public Promise<@Nullable Void> stop(Lease lease, int robot) {
+            return services.stop(lease, robot);
         }
     }
 
@@ -358,7 +395,8 @@ class RunMonitorTest {
             };
             space.spawn(
                             Arbitrator.class,
-                            () -> new Arbitrator(mode, change.apply(services), table, monitor.states(states)))
+                            () -> new Arbitrator(
+                                    mode, LeasedRobots.of(change.apply(services)), table, monitor.states(states)))
                     .live();
             var started = new CountDownLatch(1);
             space.onIdle(started::countDown);

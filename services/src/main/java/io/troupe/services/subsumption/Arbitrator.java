@@ -1,7 +1,6 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.Actor;
-import io.troupe.actor.Callback;
 import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import java.util.stream.IntStream;
@@ -46,7 +45,7 @@ public class Arbitrator extends Actor {
     }
 
     private final Mode mode;
-    private final RobotServices services;
+    private final LeasedRobots robots;
     private final SubsumptionTable table;
     private final StateListener listener;
     private final Deferred<@Nullable Void> failure = new Deferred<>();
@@ -55,12 +54,12 @@ public class Arbitrator extends Actor {
     private int changes; // a message that was sent under another number belongs to an earlier state
 
     /** @param mode promise or callback */
-    public Arbitrator(Mode mode, RobotServices services, SubsumptionTable table, StateListener listener) {
+    public Arbitrator(Mode mode, LeasedRobots robots, SubsumptionTable table, StateListener listener) {
         if (mode == Mode.SYNC) {
             throw new IllegalArgumentException("the mode is " + mode + ", expected callback or promise");
         }
         this.mode = mode;
-        this.services = services;
+        this.robots = robots;
         this.table = table;
         this.listener = listener;
         this.state = table.first();
@@ -86,7 +85,7 @@ public class Arbitrator extends Actor {
 
     private Promise<?> stopServices() {
         return Promise.all(
-                IntStream.range(0, table.robots()).mapToObj(services::stop).toList());
+                IntStream.range(0, table.robots()).mapToObj(robots::stop).toList());
     }
 
     private void startService(int robot) {
@@ -100,9 +99,8 @@ public class Arbitrator extends Actor {
 
     private void driveUntilColour(int robot, String service) {
         int changesBefore = changes;
-        services.drive(robot, service, state.colour())
-                .thenAccept(end -> end.colour()
-                        .filter(colour -> isInTime(robot, colour, changesBefore))
+        robots.drive(robot, service, state.colour())
+                .thenAccept(seen -> seen.filter(colour -> isInTime(robot, colour, changesBefore))
                         .ifPresent(colour -> table.next(state, colour)
                                 .ifPresentOrElse(next -> changeState(next, robot), () -> startService(robot))))
                 .exceptionally(error -> {
@@ -113,15 +111,16 @@ public class Arbitrator extends Actor {
 
     private void driveWithReports(int robot, String service) {
         int changesBefore = changes;
-        var reports = new Callback.Stream<ColourReport>(
-                report -> {
+        robots.report(robot, service, report -> {
                     if (isInTime(robot, report.colour(), changesBefore)) {
                         table.next(state, report.colour(), report.secondsInCharge())
                                 .ifPresent(next -> changeState(next, robot));
                     }
-                },
-                error -> serviceEnded(robot, service, changesBefore, error));
-        services.drive(robot, service, reports);
+                })
+                .handle((end, error) -> {
+                    serviceEnded(robot, service, changesBefore, error);
+                    return null;
+                });
     }
 
     private boolean isInTime(int robot, int colour, int changesBefore) {

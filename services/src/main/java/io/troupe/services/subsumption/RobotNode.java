@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A process that drives robots together with others: it publishes robot services for an arbitrator elsewhere, or runs
- * the arbitrator ({@link HostedRun}), or both.
+ * the arbitrator ({@link SubsumptionRun#overHosts}), or both.
  *
  * {@snippet :
  * var node = RobotNode.open(bus, space, BrokerObserver.logging(), 0);
@@ -94,10 +94,10 @@ public final class RobotNode implements AutoCloseable {
             RobotServicesActor.named(robots.table(), name);
         }
         var reporting = robots.withObserver(new DriverReport.Publisher(bus.attach(REPORTS), robots.observer()));
-        var current = new AtomicReference<@Nullable LeasedServicesActor>();
+        var current = new AtomicReference<@Nullable RobotServicesActor>();
         Promise<ServiceRecord> published =
-                actors.publish(space, LeasedRobotServices.class, RobotServices.SERVICE, List.copyOf(names), () -> {
-                    var actor = new LeasedServicesActor(reporting, names);
+                actors.publish(space, RobotServices.class, RobotServices.SERVICE, List.copyOf(names), () -> {
+                    var actor = RobotServicesActor.forHosts(reporting, names);
                     current.set(actor);
                     return actor;
                 });
@@ -109,13 +109,13 @@ public final class RobotNode implements AutoCloseable {
         private final RobotNode node;
         private final ActorSpace space;
         private final Promise<ServiceRecord> published;
-        private final AtomicReference<@Nullable LeasedServicesActor> current;
+        private final AtomicReference<@Nullable RobotServicesActor> current;
 
         private Offer(
                 RobotNode node,
                 ActorSpace space,
                 Promise<ServiceRecord> published,
-                AtomicReference<@Nullable LeasedServicesActor> current) {
+                AtomicReference<@Nullable RobotServicesActor> current) {
             this.node = node;
             this.space = space;
             this.published = published;
@@ -135,7 +135,7 @@ public final class RobotNode implements AutoCloseable {
         public Promise<@Nullable Void> withdraw() {
             Deferred<@Nullable Void> left = Deferred.unbound();
             space.execute(() -> {
-                LeasedServicesActor actor = current.get();
+                RobotServicesActor actor = current.get();
                 Promise<?> stopped = actor == null ? Promise.done() : actor.leave();
                 stopped.handle((done, error) -> left.resolve(null));
             });

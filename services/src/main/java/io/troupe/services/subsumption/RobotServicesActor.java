@@ -2,6 +2,7 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.Callback;
+import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
@@ -11,12 +12,15 @@ import io.troupe.services.robot.DriverLimits;
 import io.troupe.services.robot.PlayerRobot;
 import io.troupe.services.robot.RobotConnection;
 import java.lang.System.Logger.Level;
+import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -31,9 +35,12 @@ import org.jspecify.annotations.Nullable;
  * has a separate connection; then the robot stands still from the end of one service until the first reading of the
  * next, which is one tick in lock step.
  *
+ * <p>{@link RobotNode} publishes it for callers on other hosts: there a service drives a robot only while its caller
+ * renews a lease, so no robot has two drivers, and none goes on when its arbitrator is gone.
+ *
  * <p><b>Source.</b> Paper, sections 3.5 and 3.6.
  */
-public sealed class RobotServicesActor extends Actor implements RobotServices permits LeasedServicesActor {
+public final class RobotServicesActor extends Actor implements RobotServices {
     /**
      * Where the robots are, and which table they use.
      *
@@ -71,31 +78,55 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
         }
     }
 
+    /**
+     * Whom a provider drives for.
+     *
+     * @param leasesEnd whether leases end: over hosts, where the caller may be gone or cut off
+     * @param offered the names of the services that are offered
+     * @param silenceLimit a server that is silent for so long has gone
+     */
+    private record Terms(boolean leasesEnd, Set<String> offered, Duration silenceLimit) {}
+
+    /** Over hosts another provider may still reach the server. */
+    private static final Duration HOSTS_SILENCE_LIMIT = Duration.ofSeconds(2);
+
     private static final System.Logger LOG = System.getLogger(RobotServicesActor.class.getName());
+    private static final Duration LAST_ANSWERS = Duration.ofMillis(1);
 
     private final SubsumptionTable table;
     private final ServiceObserver observer;
+    private final Terms terms;
     private final RobotConnections connections;
-    private final Map<Integer, RunningService> running = new HashMap<>(); // by robot
-    private final Map<Integer, Integer> stops = new HashMap<>(); // by robot: how often it was stopped
+    private final long incarnation = new SecureRandom().nextLong(1, 1L << 53); // exact in every language
+    private final Map<Integer, Drive> drives = new HashMap<>(); // by robot; the last one
+    private boolean leaving;
 
+    /** Creates the services for callers in this process: their leases are never over. */
     public RobotServicesActor(Settings settings) {
-        this(settings, DriverLimits.SILENCE_LIMIT);
+        this(settings, new Terms(false, names(settings.table()), DriverLimits.SILENCE_LIMIT));
     }
 
-    /** @param silenceLimit a server that is silent for so long has gone */
-    RobotServicesActor(Settings settings, Duration silenceLimit) {
+    private RobotServicesActor(Settings settings, Terms terms) {
         this.table = settings.table();
         this.observer = settings.observer();
-        this.connections = new RobotConnections(settings, silenceLimit);
+        this.terms = terms;
+        this.connections = new RobotConnections(settings, terms.silenceLimit());
     }
 
     /**
-     * Connects to all robots of the table.
+     * Creates the services for callers on other hosts. They connect to all robots of the table now, and stop when they
+     * have lost them, so that another provider takes over. On the space of the actor.
      *
-     * @throws PlayerException if one cannot be reached; then there is no connection
+     * @param offered names of services of the table
+     * @throws PlayerException if a robot cannot be reached
      */
-    final void connectAll() {
+    static RobotServicesActor forHosts(Settings settings, Set<String> offered) {
+        var actor = new RobotServicesActor(settings, new Terms(true, offered, HOSTS_SILENCE_LIMIT));
+        actor.connectAll();
+        return actor;
+    }
+
+    private void connectAll() {
         try {
             for (int robot = 0; robot < table.robots(); robot++) {
                 connections.connect(robot);
@@ -106,31 +137,41 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
         }
     }
 
-    /** Whether a speed may be sent to a robot now. */
-    boolean mayCommand(int robot, Velocity velocity) {
-        return true;
-    }
-
-    @Override
-    public Promise<ServiceEnd> drive(int robot, String service, int stateColour) {
-        Service named = named(table, service);
-        ColourRule rule = named.findsColours() ? ruleIn(stateColour) : ColourRule.NONE;
-        var seen = new ArrayList<Integer>(1);
-        return start(robot, named, (devices, secondsInCharge) -> {
-                    rule.pick(devices.blobs(), secondsInCharge).ifPresent(colour -> {
-                        observer.colourSent(robot, colour);
-                        seen.add(colour);
-                    });
-                    return seen.isEmpty();
-                })
-                .thenApply(stopped -> new ServiceEnd(seen.stream().findFirst()));
+    private static Set<String> names(SubsumptionTable table) {
+        return table.services().stream().map(Service::name).collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     /** @throws IllegalArgumentException if no state of the table has the service */
     static Service named(SubsumptionTable table, String service) {
         return table.service(service)
-                .orElseThrow(() -> new IllegalArgumentException("there is no service " + service + ", expected one of "
-                        + table.services().stream().map(Service::name).collect(Collectors.joining(", "))));
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "there is no service " + service + ", expected one of " + String.join(", ", names(table))));
+    }
+
+    @Override
+    protected void stopped() {
+        connections.closeAll();
+    }
+
+    // ---- calls
+
+    @Override
+    public Promise<Stamp> stamp() {
+        checkReachable();
+        return Promise.of(now());
+    }
+
+    @Override
+    public Promise<ServiceEnd> drive(Lease lease, int robot, String service, int stateColour) {
+        var drive = new Drive(lease, robot, offered(service));
+        ColourRule rule = drive.service.findsColours() ? ruleIn(stateColour) : ColourRule.NONE;
+        return begin(drive, (devices, secondsInCharge) -> {
+            rule.pick(devices.blobs(), secondsInCharge).ifPresent(colour -> {
+                observer.colourSent(robot, colour);
+                drive.seen = Optional.of(colour);
+            });
+            return drive.seen.isEmpty();
+        });
     }
 
     private ColourRule ruleIn(int stateColour) {
@@ -142,32 +183,19 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
     }
 
     @Override
-    public void drive(int robot, String service, Callback<ColourReport> reports) {
-        Promise<@Nullable Void> end;
-        try {
-            end = driveWithReports(robot, service, reports);
-        } catch (RuntimeException impossible) {
-            end = Promise.failed(impossible);
-        }
-        end.handle((stopped, error) -> {
-            if (error == null) {
-                reports.finish();
-            } else {
-                reports.fail(error);
-            }
-            return null;
-        });
-    }
-
-    /** The same without the end of the reports; settled when the service has stopped. */
-    final Promise<@Nullable Void> driveWithReports(int robot, String service, Callback<ColourReport> reports) {
-        Service named = named(table, service);
-        return start(robot, named, (devices, secondsInCharge) -> {
+    public Promise<ServiceEnd> report(Lease lease, int robot, String service, Callback<ColourReport> reports) {
+        var drive = new Drive(lease, robot, offered(service));
+        drive.reports = reports;
+        return begin(drive, (devices, secondsInCharge) -> {
             if (reports.isCancelled()) {
-                LOG.log(Level.WARNING, "robot {0}: {1} stops, as it has no listener any more", robot + 1, named);
+                LOG.log(
+                        Level.WARNING,
+                        "robot {0}: {1} stops, as it has no listener any more",
+                        robot + 1,
+                        drive.service);
                 return false;
             }
-            if (named.findsColours()) {
+            if (drive.service.findsColours()) {
                 coloursToSend(devices).forEach(colour -> {
                     observer.colourSent(robot, colour);
                     reports.next(new ColourReport(robot, colour, secondsInCharge));
@@ -186,60 +214,215 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
     }
 
     @Override
-    public Promise<@Nullable Void> stop(int robot) {
-        stops.merge(robot, 1, Integer::sum);
-        RunningService service = running.get(robot);
-        return service == null ? Promise.done() : service.stop();
+    public Promise<Renewal> renew(Lease lease, int robot) {
+        Drive drive = drives.get(robot);
+        boolean held = drive != null && drive.lease.isSame(lease);
+        if (held) {
+            drive.renew(lease);
+        }
+        return Promise.of(new Renewal(now(), held));
     }
 
     @Override
-    protected void stopped() {
-        connections.closeAll();
+    public Promise<@Nullable Void> stop(Lease lease, int robot) {
+        Drive drive = drives.get(robot);
+        return drive != null && drive.lease.isSame(lease) ? drive.stop() : Promise.done();
     }
 
-    /**
-     * Starts a service for a robot, as soon as the robot's previous service has stopped. If the robot is stopped once
-     * more before that, the new service does not start.
-     *
-     * @return settled when the new service has stopped, or will not start
-     */
-    private Promise<@Nullable Void> start(int robot, Service service, ServiceCycle.Finder finder) {
-        RunningService previous = running.get(robot);
-        if (previous == null) {
-            return startNow(robot, service, finder);
+    /** Stops all services, and starts no more; their callers look for another provider at once. */
+    Promise<?> leave() {
+        leaving = true;
+        return Promise.allSettled(
+                List.copyOf(drives.values()).stream().map(Drive::lose).toList());
+    }
+
+    private void checkReachable() {
+        if (leaving) {
+            throw new PlayerException("the robots are not driven from here any more");
         }
-        if (previous.goesOn) {
-            throw new IllegalStateException("robot " + (robot + 1) + " is in the charge of " + previous.cycle.service()
-                    + " and was to get " + service + ": stop the first before");
+    }
+
+    private Service offered(String service) {
+        Service named = named(table, service);
+        if (!terms.offered().contains(service)) {
+            throw new IllegalArgumentException("the service " + service + " is not offered here, expected one of "
+                    + String.join(", ", terms.offered()));
         }
-        int stopsBefore = stops(robot);
-        return previous.ended
-                .handle((stopped, error) -> null)
-                .thenCompose(free ->
-                        stops(robot) == stopsBefore ? start(robot, service, finder) : Promise.<@Nullable Void>done());
+        return named;
     }
 
-    private int stops(int robot) {
-        return stops.getOrDefault(robot, 0);
+    private Stamp now() {
+        return new Stamp(incarnation, nowNanos());
     }
 
-    private Promise<@Nullable Void> startNow(int robot, Service service, ServiceCycle.Finder finder) {
-        RobotConnection connection = connections.connect(robot);
-        if (service.usesLaser()) {
-            try {
-                connection.robots().getFirst().useLaser(); // the table may give this service to other robots only
-            } catch (PlayerException refused) {
-                connections.serviceEnded(robot, true);
-                throw refused;
+    private long nowNanos() {
+        return context().space().clock().nanos();
+    }
+
+    // ---- leases
+
+    /** Starts a service by a lease, as soon as the robot's previous service has stopped. */
+    private Promise<ServiceEnd> begin(Drive drive, ServiceCycle.Finder finder) {
+        checkReachable();
+        Drive before = drives.get(drive.robot);
+        if (!drive.mayBegin() || (before != null && drive.isOlderThan(before))) {
+            return Promise.of(ServiceEnd.LOST);
+        }
+        if (before != null) {
+            before.giveWayTo(drive);
+        }
+        drives.put(drive.robot, drive);
+        drive.watch();
+        if (before == null) {
+            drive.begin(finder);
+        } else {
+            before.ended.handle((stopped, error) -> {
+                drive.begin(finder);
+                return null;
+            });
+        }
+        return drive.ended.thenApply(ended -> new ServiceEnd(drive.seen, drive.lost));
+    }
+
+    /** A service that drives a robot by a lease, or waits until the robot's previous service has stopped. */
+    private final class Drive {
+        final Lease lease;
+        final int robot;
+        final Service service;
+        Optional<Integer> seen = Optional.empty();
+
+        @Nullable
+        Callback<ColourReport> reports;
+        /** Settled when zero speed has been sent, or the service will not start. */
+        final Deferred<@Nullable Void> ended = new Deferred<>();
+
+        private long overNanos; // unless leases never end
+        private boolean goesOn = true;
+        private boolean lost;
+        private @Nullable RunningService running;
+
+        Drive(Lease lease, int robot, Service service) {
+            this.lease = lease;
+            this.robot = robot;
+            this.service = service;
+            this.overNanos = overNanos(lease);
+        }
+
+        private static long overNanos(Lease lease) {
+            return lease.stamp().nanos() + LEASE.toNanos();
+        }
+
+        /** Whether the lease was given by this provider, and is not over. */
+        boolean mayBegin() {
+            return !terms.leasesEnd() || (lease.stamp().provider() == incarnation && !isOver());
+        }
+
+        boolean isOlderThan(Drive other) {
+            return lease.holder() == other.lease.holder() && lease.number() <= other.lease.number();
+        }
+
+        private boolean isOver() {
+            return terms.leasesEnd() && nowNanos() - overNanos >= 0;
+        }
+
+        void renew(Lease renewed) {
+            if (renewed.stamp().provider() == incarnation && !isOver() && overNanos(renewed) - overNanos > 0) {
+                overNanos = overNanos(renewed);
             }
         }
-        var started = new RunningService(service, connection, finder, !connections.takeReconnected(robot));
-        running.put(robot, started);
-        return started.ended.whenComplete((stopped, error) -> {
-            running.remove(robot, started);
+
+        /** Ends the service when the lease is over. */
+        void watch() {
+            if (terms.leasesEnd()) {
+                context().after(Duration.ofNanos(Math.max(0, overNanos - nowNanos())), () -> {
+                    if (ended.isDone()) {
+                        return;
+                    }
+                    if (isOver()) {
+                        observer.leaseLost(robot, service);
+                        lose();
+                    } else {
+                        watch();
+                    }
+                });
+            }
+        }
+
+        void giveWayTo(Drive next) {
+            if (lease.holder() != next.lease.holder() && !isOver()) {
+                throw new PlayerException("robot " + (robot + 1) // the caller tries again
+                        + " is driven for another arbitrator, whose lease is not over");
+            }
+            if (goesOn) {
+                lose();
+            }
+        }
+
+        Promise<@Nullable Void> lose() {
+            lost = true;
+            return stop();
+        }
+
+        /** Ends the service now instead of at the next reading. */
+        Promise<@Nullable Void> stop() {
+            goesOn = false;
+            if (running != null) {
+                running.connection.wake();
+            }
+            return ended;
+        }
+
+        void begin(ServiceCycle.Finder finder) {
+            try {
+                if (goesOn) {
+                    drive(finder);
+                } else {
+                    hasEnded(null);
+                }
+            } catch (RuntimeException refused) {
+                hasEnded(refused);
+            }
+        }
+
+        private void drive(ServiceCycle.Finder finder) {
+            RobotConnection connection = connections.connect(robot);
+            if (service.usesLaser()) {
+                connection.robots().getFirst().useLaser(); // the table may give this service to other robots only
+            }
+            running = new RunningService(this, connection, finder, !connections.takeReconnected(robot));
+            running.run().handle((stopped, error) -> {
+                hasEnded(error);
+                return null;
+            });
+        }
+
+        private void hasEnded(@Nullable Throwable error) {
+            drives.remove(robot, this);
             connections.serviceEnded(robot, error instanceof PlayerException);
-        });
+            if (reports != null) {
+                reports.finish(); // the error is that of the call
+            }
+            if (error == null) {
+                ended.resolve(null);
+            } else {
+                ended.reject(error);
+            }
+            if (terms.leasesEnd() && error instanceof PlayerException && !leaving) { // another one may reach them
+                leave().handle((stopped, failed) -> context().after(LAST_ANSWERS, context()::stop));
+            }
+        }
+
+        /** Sends a speed, if the lease allows it. */
+        void command(PlayerRobot devices, Velocity velocity) {
+            boolean mayHalt = velocity.equals(Velocity.STOP) && nowNanos() - overNanos < HALT.toNanos();
+            if (!isOver() || mayHalt) {
+                observer.commanded(robot, service, velocity);
+                devices.drive(velocity);
+            }
+        }
     }
+
+    // ---- driving
 
     /**
      * A running service: one cycle for each new reading, until it is stopped. A service that takes over runs its first
@@ -247,48 +430,37 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
      * services.
      */
     private final class RunningService {
+        private final Drive drive;
         private final RobotConnection connection;
         private final PlayerRobot robot;
         private final ServiceCycle cycle;
         private final ServiceCycle.Finder finder;
-        /** Settled when zero speed has been sent; no cycle follows. */
-        private final Promise<@Nullable Void> ended;
 
         private boolean started;
         private boolean firstCycle = true;
-        private boolean goesOn = true;
 
         /**
          * Starts the service.
          *
          * @param startsNow whether the service counts as started now, instead of from its first reading on
          */
-        RunningService(Service service, RobotConnection connection, ServiceCycle.Finder finder, boolean startsNow) {
+        RunningService(Drive drive, RobotConnection connection, ServiceCycle.Finder finder, boolean startsNow) {
+            this.drive = drive;
             this.connection = connection;
             this.robot = connection.robots().getFirst();
-            this.cycle = new ServiceCycle(service, robot, this::command, observer);
+            this.cycle = new ServiceCycle(drive.service, robot, velocity -> drive.command(robot, velocity), observer);
             this.finder = finder;
             if (startsNow) {
                 notifyStarted();
             }
-            this.ended = context()
+        }
+
+        /** @return settled when zero speed has been sent; no cycle follows */
+        Promise<@Nullable Void> run() {
+            return context()
                     .space()
-                    .repeatWhile(() -> goesOn, this::nextCycle)
+                    .repeatWhile(() -> drive.goesOn, this::nextCycle)
                     .whenComplete((done, error) -> halt(error));
-        }
-
-        private void command(Velocity velocity) {
-            if (mayCommand(robot.index(), velocity)) {
-                observer.commanded(robot.index(), cycle.service(), velocity);
-                robot.drive(velocity);
-            }
-        }
-
-        /** Ends the service now instead of at the next reading. */
-        Promise<@Nullable Void> stop() {
-            goesOn = false;
-            connection.wake();
-            return ended;
         }
 
         private void notifyStarted() {
@@ -312,20 +484,20 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
         }
 
         private void react(boolean dataAreReady) {
-            if (dataAreReady && goesOn && robot.hasData() && cycle.isDue()) {
+            if (dataAreReady && drive.goesOn && robot.hasData() && cycle.isDue()) {
                 boolean takesOver = !started;
                 if (takesOver) {
                     notifyStarted();
                 }
                 boolean endsItself = !cycle.run(takesOver ? ServiceCycle.Finder.NONE : finder);
                 if (endsItself) { // otherwise goesOn stays as it is: the cycle may have stopped the service
-                    goesOn = false;
+                    drive.goesOn = false;
                 }
             }
         }
 
         private void halt(@Nullable Throwable error) {
-            goesOn = false;
+            drive.goesOn = false;
             try {
                 cycle.halt();
             } catch (RuntimeException unreachable) {

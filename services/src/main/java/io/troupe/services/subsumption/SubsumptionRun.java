@@ -2,100 +2,107 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.CallObserver;
-import io.troupe.actor.Callback;
 import io.troupe.actor.Clock;
+import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.broker.ActorConnection;
 import io.troupe.broker.ActorServices;
 import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerEvent;
 import io.troupe.broker.BrokerObserver;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.ConnectionSettings;
+import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;
 import io.troupe.broker.ServiceCallException;
-import io.troupe.broker.ServiceRecord;
+import io.troupe.bus.BusPort;
 import java.lang.System.Logger.Level;
-import java.util.ArrayList;
-import java.util.HashMap;
+import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs the services of a table on its robots, in one of the three modes, until closed.
+ * Runs the services of a table on its robots, in one of the three modes, until closed: with services in this process,
+ * or with the arbitrator alone, which finds them on other hosts.
+ *
+ * {@snippet :
+ * try (var run = SubsumptionRun.overHosts(node, Mode.PROMISE, SubsumptionTable.ofThePaper(), listener)) {
+ *     while (goesOn()) {
+ *         run.check();
+ *     }
+ * }
+ * }
  *
  * <p><b>Threads.</b> All work is done on one separate thread: an actor space's, or a plain thread in synchronous mode.
  * Observer and listener are called on it.
+ *
+ * <p><b>Order.</b> In one process all follows the robots' clock, so that a run can be repeated. Over hosts it is in
+ * real time. There, too, a robot never has two drivers: each drives only while this process renews its lease, and
+ * another one is called when the first has confirmed that it has stopped, or its lease is certainly over. The first one
+ * is called 2.3 s after the start of this run at the earliest: then the leases of an earlier run are over.
+ *
+ * <p><b>Errors.</b> In one process an error of a service ends the run. Over hosts a service whose provider is gone is
+ * continued by another provider, in the same state; {@link #overHosts} and {@link #check} throw a
+ * {@link MissingServiceException} if a service of the table has no provider: after 2 s at the start, for 5 s later. If
+ * this process is killed, frozen or cut off, the robots stop within 2.5 s.
  *
  * <p><b>Source.</b> Paper, sections 3.4 to 3.6.
  */
 public final class SubsumptionRun implements AutoCloseable {
     /**
-     * What to run.
+     * What to run in this process.
      *
-     * @param host where the robots are, with {@code port}: a world in this JVM or a Player server
-     * @param clock the robots' time
-     * @param reconnects whether each service has a separate connection with its robot (section 3.5); not supported in
+     * @param robots where the robots are: a world in this JVM or a Player server; reconnection is not supported in
      *     synchronous mode, which connects once
+     * @param clock the robots' time
      * @param round what the synchronous mode does at a reading; ignored in the other modes
      * @param callObserver observes the calls of the actors, of which the synchronous mode has none; null = none
      */
     public record Settings(
             Mode mode,
-            String host,
-            int port,
-            SubsumptionTable table,
+            RobotServicesActor.Settings robots,
             Clock clock,
-            ServiceObserver observer,
             Arbitrator.StateListener listener,
-            boolean reconnects,
             SynchronousRound round,
             @Nullable CallObserver callObserver) {
         public Settings {
-            if (mode == Mode.SYNC && reconnects) {
+            if (mode == Mode.SYNC && robots.reconnects()) {
                 throw new IllegalArgumentException("the mode is " + mode
                         + " and reconnects, expected callback or promise: the synchronous model connects once");
             }
         }
 
-        /** Creates settings without reconnection, with the paper's synchronous round. */
-        public Settings(
-                Mode mode,
-                String host,
-                int port,
-                SubsumptionTable table,
-                Clock clock,
-                ServiceObserver observer,
-                Arbitrator.StateListener listener) {
-            this(
-                    mode,
-                    host,
-                    port,
-                    table,
-                    clock,
-                    observer,
-                    listener,
-                    false,
-                    SynchronousRound.ONE_SERVICE_A_READING,
-                    null);
-        }
-
-        public Settings withReconnection(boolean newReconnects) {
-            return new Settings(mode, host, port, table, clock, observer, listener, newReconnects, round, callObserver);
+        /** Creates settings with the paper's synchronous round. */
+        public Settings(Mode mode, RobotServicesActor.Settings robots, Clock clock, Arbitrator.StateListener listener) {
+            this(mode, robots, clock, listener, SynchronousRound.ONE_SERVICE_A_READING, null);
         }
 
         public Settings withRound(SynchronousRound newRound) {
-            return new Settings(mode, host, port, table, clock, observer, listener, reconnects, newRound, callObserver);
+            return new Settings(mode, robots, clock, listener, newRound, callObserver);
         }
 
         public Settings withCallObserver(@Nullable CallObserver newObserver) {
-            return new Settings(mode, host, port, table, clock, observer, listener, reconnects, round, newObserver);
+            return new Settings(mode, robots, clock, listener, round, newObserver);
+        }
+    }
+
+    /** Notified of what happens over hosts, on the thread of the arbitrator. */
+    public interface HostsListener extends Arbitrator.StateListener, LeasedRobots.Listener {
+        /** A provider has reported what it does with a robot. */
+        void reported(DriverReport report, String node);
+
+        /** Observes the calls of the arbitrator; null = none. */
+        default @Nullable CallObserver callObserver() {
+            return null;
         }
     }
 
@@ -108,7 +115,7 @@ public final class SubsumptionRun implements AutoCloseable {
      * A service answers when it ends, which may take hours. The calls to all robots of the first state may be queued
      * before the provider has started.
      */
-    private static final ConnectionSettings LIMITS =
+    static final ConnectionSettings LIMITS =
             ConnectionSettings.defaults().withoutAnswerLimit().withCapacity(Integer.MAX_VALUE);
 
     /**
@@ -117,6 +124,13 @@ public final class SubsumptionRun implements AutoCloseable {
      */
     private static final BrokerSettings BROKER =
             BrokerSettings.defaults().withoutChecks().withoutRestart();
+
+    /** How long providers may take to answer the request for their offers; shorter than the wait for leases. */
+    private static final Duration DISCOVERY = Duration.ofSeconds(2);
+    /** A provider may take its time to start. */
+    private static final Duration START_LIMIT = Duration.ofMinutes(2);
+
+    private static final Duration STOP_LIMIT = Duration.ofSeconds(3);
 
     private final AtomicReference<@Nullable Throwable> failure;
     private final Runnable closing;
@@ -127,15 +141,13 @@ public final class SubsumptionRun implements AutoCloseable {
     }
 
     /**
-     * Connects to the robots and starts the services of the first state.
+     * Connects to the robots and starts the services of the first state, in this process.
      *
      * @return when they have started, so that the next reading is the first that they get
      * @throws RuntimeException if that fails, for example a {@link io.troupe.player.PlayerException}
      */
     public static SubsumptionRun start(Settings settings) throws InterruptedException {
-        var robots = new RobotServicesActor.Settings(
-                settings.host(), settings.port(), settings.table(), settings.observer(), settings.reconnects());
-        return start(settings, () -> new RobotServicesActor(robots));
+        return start(settings, () -> new RobotServicesActor(settings.robots()));
     }
 
     /**
@@ -149,8 +161,24 @@ public final class SubsumptionRun implements AutoCloseable {
         Consumer<Throwable> failed = error -> failure.compareAndSet(null, error);
         Runnable closing = settings.mode() == Mode.SYNC
                 ? SynchronousLoop.start(settings, failed)::close
-                : ActorRun.start(settings, provider, failed)::close;
-        var run = new SubsumptionRun(failure, closing);
+                : ActorRun.inProcess(settings, provider, failed)::close;
+        return started(new SubsumptionRun(failure, closing));
+    }
+
+    /**
+     * Finds a provider on other hosts for each service of the table, and starts the services of the first state.
+     *
+     * @param mode promise or callback
+     * @throws MissingServiceException if a service has no provider; the message is one line
+     */
+    public static SubsumptionRun overHosts(RobotNode node, Mode mode, SubsumptionTable table, HostsListener listener)
+            throws InterruptedException {
+        var failure = new AtomicReference<@Nullable Throwable>();
+        var run = ActorRun.overHosts(node, mode, table, listener, error -> failure.compareAndSet(null, error));
+        return started(new SubsumptionRun(failure, run::close));
+    }
+
+    private static SubsumptionRun started(SubsumptionRun run) {
         try {
             run.check();
             return run;
@@ -162,10 +190,7 @@ public final class SubsumptionRun implements AutoCloseable {
 
     /** Throws the error that has ended the run, if there is one. Any thread may call it. */
     public void check() {
-        rethrow(failure.get());
-    }
-
-    static void rethrow(@Nullable Throwable error) {
+        Throwable error = failure.get();
         if (error instanceof RuntimeException unchecked) {
             throw unchecked;
         }
@@ -180,19 +205,39 @@ public final class SubsumptionRun implements AutoCloseable {
         closing.run();
     }
 
-    /**
-     * Robot services that are called through a broker.
-     *
-     * @param ready fulfilled when each service of the table has a provider
-     */
-    record Connected(RobotServices services, Promise<?> ready) {}
+    /** The connections to the services of a table, by their names. */
+    record Connected(Map<String, ActorConnection<RobotServices>> byService) {
+        static Connected to(SubsumptionTable table, ActorServices actors) {
+            Map<String, ActorConnection<RobotServices>> byService = new LinkedHashMap<>();
+            for (Service service : table.services()) {
+                var need = Need.ofCapability(CALLER, service.name());
+                byService.put(service.name(), actors.connect(RobotServices.class, need, LIMITS));
+            }
+            return new Connected(byService);
+        }
+
+        Map<String, RobotServices> actors() {
+            Map<String, RobotServices> actors = new LinkedHashMap<>();
+            byService.forEach((name, connection) -> actors.put(name, connection.actor()));
+            return actors;
+        }
+
+        /** Fulfilled when each service of the table has a provider. */
+        Promise<?> ready() {
+            return Promise.all(
+                    byService.values().stream().map(ActorConnection::first).toList());
+        }
+
+        void close() {
+            byService.values().forEach(ActorConnection::close);
+        }
+    }
 
     /**
      * Publishes robot services at a broker on a space, with the services of the table as capabilities, and connects to
      * each of these through the broker.
      *
-     * @param failed receives the cause if the services cannot start or end, or if a one-way call does not reach them:
-     *     such a call has no promise that could be rejected
+     * @param failed receives the cause if the services cannot start or end
      */
     static Connected publishAndConnect(
             ActorSpace space,
@@ -203,21 +248,13 @@ public final class SubsumptionRun implements AutoCloseable {
         ActorServices actors = broker.services();
         List<String> names = table.services().stream().map(Service::name).toList();
         actors.publish(space, RobotServices.class, RobotServices.SERVICE, names, provider);
-        Map<String, RobotServices> byService = new LinkedHashMap<>();
-        List<Promise<ServiceRecord>> ready = new ArrayList<>();
-        for (String name : names) {
-            var connection = actors.connect(RobotServices.class, Need.ofCapability(CALLER, name), LIMITS);
-            byService.put(name, connection.actor());
-            ready.add(connection.first());
-        }
-        return new Connected(new RoutedServices(byService), Promise.all(ready));
+        return Connected.to(table, actors);
     }
 
     private static void observe(BrokerEvent event, Consumer<Throwable> failed) {
         switch (event) {
             case BrokerEvent.StartFailed(var provider, Throwable why) -> failed.accept(why);
             case BrokerEvent.Failed(var provider, Throwable why) -> failed.accept(why);
-            case BrokerEvent.Undelivered(var need, var call, Throwable why) -> failed.accept(why);
             default -> {}
         }
         if (!(event instanceof BrokerEvent.Abandoned)) { // a run ends with its space, and does not close the broker
@@ -226,49 +263,106 @@ public final class SubsumptionRun implements AutoCloseable {
     }
 
     /**
-     * Runs the two asynchronous modes: the robot services are an actor that is published at a broker, and the
-     * arbitrator calls them through it. Broker, services and arbitrator share a separate space and the robots' clock,
-     * so a run is deterministic.
+     * Runs the two asynchronous modes: the robot services are actors that are published at a broker, here or on other
+     * hosts, and the arbitrator calls them through it. In one process broker, services and arbitrator share a separate
+     * space and the robots' clock, so a run is deterministic.
      */
-    private static final class ActorRun implements AutoCloseable {
+    private static final class ActorRun {
         private final ActorSpace space;
+        private final SubsumptionTable table;
         private final Consumer<Throwable> failed;
+        private final @Nullable BusPort port; // over hosts
+        private @Nullable Connected connected;
+        private @Nullable LeasedRobots robots;
         private volatile boolean closing;
 
-        private ActorRun(Settings settings, Consumer<Throwable> failed) {
+        private ActorRun(
+                SpaceSettings settings,
+                @Nullable CallObserver calls,
+                SubsumptionTable table,
+                @Nullable BusPort port,
+                Consumer<Throwable> failed) {
+            this.table = table;
             this.failed = failed;
-            var space = SpaceSettings.named("robots")
-                    .withClock(settings.clock())
-                    .withOnError((where, error) -> report(error));
-            CallObserver calls = settings.callObserver();
-            this.space = ActorSpace.create(calls == null ? space : space.withCallObserver(calls));
+            this.port = port;
+            SpaceSettings reporting = settings.withOnError((where, error) -> report(error));
+            this.space = ActorSpace.create(calls == null ? reporting : reporting.withCallObserver(calls));
         }
 
         /** Returns when the services of the first state have started, or have failed to start. */
-        static ActorRun start(Settings settings, Supplier<? extends RobotServices> provider, Consumer<Throwable> failed)
+        static ActorRun inProcess(
+                Settings settings, Supplier<? extends RobotServices> provider, Consumer<Throwable> failed)
                 throws InterruptedException {
-            var run = new ActorRun(settings, failed);
+            var named = SpaceSettings.named("robots").withClock(settings.clock());
+            var run = new ActorRun(
+                    named, settings.callObserver(), settings.robots().table(), null, failed);
+            return run.started(() -> {
+                Connected services = publishAndConnect(run.space, run.table, provider, why -> {
+                    if (!run.closing) {
+                        run.report(why);
+                    }
+                });
+                run.spawnArbitrator(
+                        settings.mode(),
+                        LeasedRobots.of(services.actors()),
+                        settings.listener(),
+                        services.ready()); // calls that wait for a provider would arrive in the connections' order
+                var begun = new CountDownLatch(1);
+                run.space.onIdle(begun::countDown);
+                begun.await();
+            });
+        }
+
+        /** Returns when each service has a provider, and the leases of an earlier arbitrator are over. */
+        static ActorRun overHosts(
+                RobotNode node, Mode mode, SubsumptionTable table, HostsListener listener, Consumer<Throwable> failed)
+                throws InterruptedException {
+            BusPort port = node.bus().attach(CALLER);
+            var run = new ActorRun(SpaceSettings.named("arbitrator"), listener.callObserver(), table, port, failed);
+            Promise<?> earlierLeasesOver = run.space.delay(LeasedRobots.CERTAINLY_OVER);
+            run.space.execute(() -> DriverReport.subscribe(port, listener::reported));
+            return run.started(() -> {
+                // the choice among providers is made when all have had time to answer, not by who was the first
+                await(run.space.delay(DISCOVERY));
+                for (Service service : table.services()) {
+                    await(node.broker().require(Need.ofCapability(CALLER, service.name())));
+                }
+                var services = Connected.to(table, node.actors());
+                run.connected = services;
+                await(services.ready());
+                await(earlierLeasesOver);
+                run.robots = LeasedRobots.overHosts(services.actors(), run.space, node.broker(), listener);
+                run.spawnArbitrator(mode, run.robots, listener, Promise.done());
+            });
+        }
+
+        /** A part of a start. */
+        private interface Steps {
+            void run() throws InterruptedException;
+        }
+
+        private ActorRun started(Steps steps) throws InterruptedException {
             try {
-                run.startActors(settings, provider);
-                return run;
+                steps.run();
+                return this;
             } catch (RuntimeException | InterruptedException impossible) {
-                run.close();
+                close();
                 throw impossible;
             }
         }
 
-        private void startActors(Settings settings, Supplier<? extends RobotServices> provider)
-                throws InterruptedException {
-            Connected connected = publishAndConnect(space, settings.table(), provider, why -> {
-                if (!closing) {
-                    report(why);
-                }
-            });
-            Arbitrator arbitrator = space.spawn(
-                    Arbitrator.class,
-                    () -> new Arbitrator(settings.mode(), connected.services(), settings.table(), settings.listener()));
-            // calls of connections without a provider would wait, and arrive in the order of the connections
-            connected.ready().thenRun(arbitrator::live).exceptionally(error -> {
+        private static void await(Promise<?> promise) throws InterruptedException {
+            try {
+                promise.get(START_LIMIT);
+            } catch (TimeoutException overdue) {
+                throw new IllegalStateException("the services have not started within " + START_LIMIT, overdue);
+            }
+        }
+
+        private void spawnArbitrator(
+                Mode mode, LeasedRobots leased, Arbitrator.StateListener listener, Promise<?> ready) {
+            Arbitrator arbitrator = space.spawn(Arbitrator.class, () -> new Arbitrator(mode, leased, table, listener));
+            ready.thenRun(arbitrator::live).exceptionally(error -> {
                 report(error);
                 return null;
             });
@@ -276,61 +370,46 @@ public final class SubsumptionRun implements AutoCloseable {
                 report(error);
                 return null;
             });
-            var started = new CountDownLatch(1);
-            space.onIdle(started::countDown);
-            started.await();
         }
 
         private void report(Throwable error) {
-            if (closing && error instanceof ServiceCallException) {
+            if (closing && (port != null || error instanceof ServiceCallException)) {
                 LOG.log(Level.DEBUG, "closed", error); // calls that are under way end with their connection
             } else {
                 failed.accept(error);
             }
         }
 
-        @Override
-        public void close() {
+        void close() {
             closing = true;
+            if (port == null) {
+                space.close(); // the services end with it
+                return;
+            }
+            if (robots != null) {
+                stop(robots);
+            }
+            if (connected != null) {
+                connected.close();
+            }
             space.close();
-        }
-    }
-
-    /**
-     * Robot services behind one interface, each through a separate connection to its provider: {@code drive} goes to
-     * the connection for its service, and {@code stop} to the one that drives the robot. Used on one space.
-     */
-    private static final class RoutedServices implements RobotServices {
-        private final Map<String, RobotServices> byService;
-        private final Map<Integer, RobotServices> driving = new HashMap<>(); // by robot; the last one
-
-        /** @param byService at least one */
-        RoutedServices(Map<String, RobotServices> byService) {
-            this.byService = new LinkedHashMap<>(byService);
+            port.close();
         }
 
-        @Override
-        public Promise<ServiceEnd> drive(int robot, String service, int stateColour) {
-            return route(robot, service).drive(robot, service, stateColour);
-        }
-
-        @Override
-        public void drive(int robot, String service, Callback<ColourReport> reports) {
-            route(robot, service).drive(robot, service, reports);
-        }
-
-        private RobotServices route(int robot, String service) {
-            // any provider rejects a service that is not in the table, by its name
-            RobotServices to = byService.getOrDefault(
-                    service, byService.values().iterator().next());
-            driving.put(robot, to);
-            return to;
-        }
-
-        @Override
-        public Promise<@Nullable Void> stop(int robot) {
-            RobotServices by = driving.get(robot);
-            return by == null ? Promise.done() : by.stop(robot);
+        /** Stops the robots of other hosts, and waits for that. */
+        private void stop(LeasedRobots driven) {
+            Deferred<@Nullable Void> stopped = Deferred.unbound();
+            space.execute(() -> Promise.allSettled(IntStream.range(0, table.robots())
+                            .mapToObj(driven::stop)
+                            .toList())
+                    .handle((all, error) -> stopped.resolve(null)));
+            try {
+                stopped.get(STOP_LIMIT);
+            } catch (TimeoutException unreachable) {
+                LOG.log(Level.WARNING, "not all robots have confirmed their stop within {0}", STOP_LIMIT);
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+            }
         }
     }
 }

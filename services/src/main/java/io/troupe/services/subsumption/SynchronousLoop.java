@@ -49,7 +49,7 @@ final class SynchronousLoop implements AutoCloseable {
     private SynchronousLoop(SubsumptionRun.Settings settings, Consumer<Throwable> failed) {
         this.settings = settings;
         this.failed = failed;
-        this.state = settings.table().first();
+        this.state = settings.robots().table().first();
     }
 
     /** Returns when the services of the first state have started, or have failed to start. */
@@ -95,10 +95,10 @@ final class SynchronousLoop implements AutoCloseable {
     }
 
     private RobotConnection connect() {
-        var table = settings.table();
+        var table = settings.robots().table();
         return RobotConnection.open(
-                settings.host(),
-                settings.port(),
+                settings.robots().host(),
+                settings.robots().port(),
                 RobotConnection.Delivery.PULL, // one frame holds the readings of all robots
                 IntStream.range(0, table.robots())
                         .mapToObj(robot -> new RobotConnection.Devices(robot, true, table.usesLaser(robot)))
@@ -161,12 +161,12 @@ final class SynchronousLoop implements AutoCloseable {
     /** Runs the cycle of a robot; returns the next state if the robot sees a colour that leads to one. */
     private Optional<State> cycle(int robot) {
         var service = cycles.get(robot).service();
-        var rule = service.findsColours() ? settings.table().ruleIn(state) : ColourRule.NONE;
+        var rule = service.findsColours() ? settings.robots().table().ruleIn(state) : ColourRule.NONE;
         cycles.get(robot).run((devices, secondsInCharge) -> {
             seen = rule.pick(devices.blobs(), secondsInCharge);
             return true; // also when the state ends
         });
-        return seen.isEmpty() ? Optional.empty() : settings.table().next(state, seen.getAsInt());
+        return seen.isEmpty() ? Optional.empty() : settings.robots().table().next(state, seen.getAsInt());
     }
 
     private void change(State next, int seenBy) {
@@ -180,19 +180,23 @@ final class SynchronousLoop implements AutoCloseable {
         settings.listener().stateStarted(state, seenBy);
         for (int robot = 0; robot < robots.size(); robot++) {
             Service service = state.services().get(robot);
-            var cycle = new ServiceCycle(service, robots.get(robot), robots.get(robot)::drive, settings.observer());
+            var cycle = new ServiceCycle(
+                    service,
+                    robots.get(robot),
+                    robots.get(robot)::drive,
+                    settings.robots().observer());
             if (robots.get(robot).hasData()) {
                 cycle.start();
             }
             cycles.add(cycle);
-            settings.observer().serviceStarted(robot, service);
+            settings.robots().observer().serviceStarted(robot, service);
         }
     }
 
     private void notifyServicesEnded() {
         while (ended < cycles.size()) { // after an observer that fails, each of the others is notified once
             int robot = ended++;
-            settings.observer().serviceEnded(robot, cycles.get(robot).service());
+            settings.robots().observer().serviceEnded(robot, cycles.get(robot).service());
         }
         cycles.clear();
         ended = 0;

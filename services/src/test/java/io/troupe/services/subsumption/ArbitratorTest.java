@@ -25,16 +25,15 @@ class ArbitratorTest extends RobotsBench {
     private static final SubsumptionTable PAPER = SubsumptionTable.ofThePaper();
 
     private Arbitrator arbitrator;
-    private RobotServices services;
+    private LeasedRobots services;
     private int mostServices = 1; // of a robot at the same time
 
-    private void begin(Mode mode, SubsumptionTable table, RobotServices robotServices) {
-        begin(mode, table, robotServices, new Events());
+    private void begin(Mode mode, SubsumptionTable table, LeasedRobots leased) {
+        begin(mode, table, leased, new Events());
     }
 
-    private void begin(
-            Mode mode, SubsumptionTable table, RobotServices robotServices, Arbitrator.StateListener listener) {
-        services = robotServices;
+    private void begin(Mode mode, SubsumptionTable table, LeasedRobots leased, Arbitrator.StateListener listener) {
+        services = leased;
         arbitrator = test.spawn(Arbitrator.class, () -> new Arbitrator(mode, services, table, listener));
         arbitrator.live();
         test.runQueued();
@@ -280,12 +279,12 @@ class ArbitratorTest extends RobotsBench {
     @Test
     void serviceThatEndsUntold_endsTheArbitrator() {
         mostServices = 0;
-        begin(Mode.CALLBACK, PAPER, test.spawn(RobotServices.class, () -> new SilentServices() {
+        begin(Mode.CALLBACK, PAPER, LeasedRobots.of(test.spawn(RobotServices.class, () -> new SilentServices() {
             @Override
-            public void drive(int robot, String service, Callback<ColourReport> reports) {
-                reports.finish();
+            public Promise<ServiceEnd> report(Lease lease, int robot, String service, Callback<ColourReport> reports) {
+                return Promise.of(new ServiceEnd(Optional.empty(), false));
             }
-        }));
+        })));
         assertThat(test.error(arbitrator.failure()))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("robot 1: wallFollower has ended in state 1 though nothing told it to");
@@ -296,7 +295,7 @@ class ArbitratorTest extends RobotsBench {
     private void beginWithReconnection(Mode mode) {
         var settings = settings(PAPER).withReconnection(true);
         var actor = test.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
-        begin(mode, PAPER, actor, (state, seenBy) -> {});
+        begin(mode, PAPER, LeasedRobots.of(actor), (state, seenBy) -> {});
         robots.show(1, RED);
     }
 
@@ -308,7 +307,7 @@ class ArbitratorTest extends RobotsBench {
         assertThat(charge.of(0)).isEmpty();
         assertThat(charge.of(1)).isEmpty();
         assertLastCommands(STOP, STOP);
-        var problem = test.error(services.drive(0, SW.name(), RED));
+        var problem = test.error(call(() -> services.drive(0, SW.name(), RED)));
         assertThat(problem).hasMessageContaining("robot 1 is in the charge of spaceWanderer");
         assertThat(charge.of(0)).isEmpty();
         robots.tick(100);

@@ -11,10 +11,10 @@ import io.troupe.broker.Need;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.RemoteFailure;
-import io.troupe.services.subsumption.LeasedRobotServices.DriveEnd;
-import io.troupe.services.subsumption.LeasedRobotServices.Lease;
-import io.troupe.services.subsumption.LeasedRobotServices.Renewal;
-import io.troupe.services.subsumption.LeasedRobotServices.Stamp;
+import io.troupe.services.subsumption.RobotServices.Lease;
+import io.troupe.services.subsumption.RobotServices.Renewal;
+import io.troupe.services.subsumption.RobotServices.ServiceEnd;
+import io.troupe.services.subsumption.RobotServices.Stamp;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -97,7 +97,7 @@ class FailoverTest extends RobotsBench {
         }
     }
 
-    private final class Changes implements HostedRun.Listener {
+    private final class Changes implements SubsumptionRun.HostsListener {
         private final Events states = new Events();
 
         @Override
@@ -119,22 +119,22 @@ class FailoverTest extends RobotsBench {
         }
     }
 
-    private RobotServices connected() {
-        Map<String, LeasedRobotServices> byService = new LinkedHashMap<>();
+    private LeasedRobots leased() {
+        Map<String, RobotServices> byService = new LinkedHashMap<>();
         for (String service : BOTH) {
             var need = Need.ofCapability("arbitrator", service);
             byService.put(
                     service,
                     base.actors()
-                            .connect(LeasedRobotServices.class, need, HostedRun.LIMITS)
+                            .connect(RobotServices.class, need, SubsumptionRun.LIMITS)
                             .actor());
         }
         test.runQueued();
-        return test.spawn(RobotServices.class, () -> new FailoverServices(byService, base.broker(), new Changes()));
+        return LeasedRobots.overHosts(byService, test.space(), base.broker(), new Changes());
     }
 
     private Arbitrator run(Mode mode) {
-        RobotServices services = connected();
+        LeasedRobots services = leased();
         var arbitrator = test.spawn(Arbitrator.class, () -> new Arbitrator(mode, services, PAPER, new Changes()));
         arbitrator.live();
         arbitrator.failure().exceptionally(error -> {
@@ -317,8 +317,8 @@ class FailoverTest extends RobotsBench {
     @Test
     void answerThatIsLost_isNoticedWithTheNextRenewal() {
         offer("a", BOTH);
-        RobotServices services = connected();
-        var end = services.drive(1, "spaceWanderer", BLUE);
+        LeasedRobots services = leased();
+        var end = call(() -> services.drive(1, "spaceWanderer", BLUE));
         seconds(1);
         robots.show(1, RED);
         test.advance(Duration.ofMillis(10)); // no renewal now
@@ -330,8 +330,8 @@ class FailoverTest extends RobotsBench {
         assertThat(end.isDone()).isFalse();
         assertThat(charge.of(1)).containsExactly(SW);
         assertThat(changes).containsExactly("lost 2", "again 2");
-        test.get(services.stop(1));
-        assertThat(test.get(end).colour()).isEmpty();
+        test.get(call(() -> services.stop(1)));
+        assertThat(test.get(end)).isEmpty();
     }
 
     // ---- stops
@@ -339,65 +339,65 @@ class FailoverTest extends RobotsBench {
     @Test
     void stop_waitsForTheLeaseOfAProviderThatDoesNotAnswer() {
         offer("a", BOTH);
-        RobotServices services = connected();
-        var end = services.drive(0, "wallFollower", BLUE);
+        LeasedRobots services = leased();
+        var end = call(() -> services.drive(0, "wallFollower", BLUE));
         seconds(1);
         pipe.lose("a");
-        Promise<?> stopped = services.stop(0);
+        Promise<?> stopped = call(() -> services.stop(0));
         seconds(1);
         assertThat(stopped.isDone()).isFalse();
         seconds(1.5);
         assertThat(stopped.isDone()).isTrue();
-        assertThat(test.get(end).colour()).isEmpty();
+        assertThat(test.get(end)).isEmpty();
         assertThat(charge.of(0)).isEmpty();
-        assertThat(test.get(services.stop(0))).isNull();
+        assertThat(test.get(call(() -> services.stop(0)))).isNull();
     }
 
     @Test
     void stop_whileAnotherProviderIsLookedFor_isDoneAtOnce() {
-        RobotServices services = connected();
-        var end = services.drive(0, "wallFollower", BLUE);
+        LeasedRobots services = leased();
+        var end = call(() -> services.drive(0, "wallFollower", BLUE));
         seconds(2);
-        Promise<?> stopped = services.stop(0);
+        Promise<?> stopped = call(() -> services.stop(0));
         seconds(1);
         assertThat(stopped.isDone()).isTrue();
-        assertThat(test.get(end).colour()).isEmpty();
+        assertThat(test.get(end)).isEmpty();
     }
 
     @Test
     void robotThatIsDriven_isNotDrivenTwice_andAnUnknownServiceIsRefused() {
         offer("a", BOTH);
-        RobotServices services = connected();
-        services.drive(0, "wallFollower", BLUE);
-        assertThat(test.error(services.drive(0, "spaceWanderer", BLUE)))
+        LeasedRobots services = leased();
+        call(() -> services.drive(0, "wallFollower", BLUE));
+        assertThat(test.error(call(() -> services.drive(0, "spaceWanderer", BLUE))))
                 .hasMessageContaining("robot 1 is in the charge of wallFollower");
-        assertThat(test.error(services.drive(1, "spaceWanderr", BLUE)))
+        assertThat(test.error(call(() -> services.drive(1, "spaceWanderr", BLUE))))
                 .hasMessageContaining("there is no service spaceWanderr");
-        test.get(services.stop(0));
+        test.get(call(() -> services.stop(0)));
     }
 
     @Test
     void providerThatStartsSlowly_isWaitedFor() {
-        RobotServices services = connected();
-        var end = services.drive(0, "wallFollower", BLUE);
+        LeasedRobots services = leased();
+        var end = call(() -> services.drive(0, "wallFollower", BLUE));
         seconds(4);
         offer("a", BOTH);
         seconds(1);
         assertThat(drivers).containsExactly("a 1 starts");
-        test.get(services.stop(0));
+        test.get(call(() -> services.stop(0)));
         test.get(end);
     }
 
     // ---- one provider
 
-    private LeasedRobotServices provider() {
+    private RobotServices provider() {
         offer("a", List.of("wallFollower"));
         return base.actors()
-                .connect(LeasedRobotServices.class, Need.ofCapability("arbitrator", "wallFollower"), HostedRun.LIMITS)
+                .connect(RobotServices.class, Need.ofCapability("arbitrator", "wallFollower"), SubsumptionRun.LIMITS)
                 .actor();
     }
 
-    private Promise<DriveEnd> drive(LeasedRobotServices provider, Lease lease) {
+    private Promise<ServiceEnd> drive(RobotServices provider, Lease lease) {
         var end = provider.drive(lease, 0, "wallFollower", BLUE);
         test.runQueued();
         return end;
@@ -405,38 +405,38 @@ class FailoverTest extends RobotsBench {
 
     @Test
     void callThatArrivesAfterItsLease_hasNoEffect() {
-        LeasedRobotServices provider = provider();
+        RobotServices provider = provider();
         Stamp stamp = test.get(provider.stamp());
         seconds(2.1);
-        assertThat(test.get(drive(provider, new Lease(1, 1, stamp)))).isEqualTo(DriveEnd.LOST);
+        assertThat(test.get(drive(provider, new Lease(1, 1, stamp)))).isEqualTo(ServiceEnd.LOST);
         var ofAnother = new Stamp(stamp.provider() + 1, stamp.nanos() + 2_100_000_000L);
-        assertThat(test.get(drive(provider, new Lease(1, 1, ofAnother)))).isEqualTo(DriveEnd.LOST);
+        assertThat(test.get(drive(provider, new Lease(1, 1, ofAnother)))).isEqualTo(ServiceEnd.LOST);
         assertThat(drivers).isEmpty();
     }
 
     @Test
     void lease_endsWithoutRenewal_andIsNotRenewedAfterItsEnd() {
-        LeasedRobotServices provider = provider();
+        RobotServices provider = provider();
         var lease = new Lease(1, 1, test.get(provider.stamp()));
         var end = drive(provider, lease);
         seconds(1.5);
-        Renewal renewal = test.get(provider.renew(lease));
+        Renewal renewal = test.get(provider.renew(lease, 0));
         assertThat(renewal.held()).isTrue();
         seconds(0.4);
         Lease renewed = lease.renewed(renewal.stamp());
-        assertThat(test.get(provider.renew(renewed)).held()).isTrue();
+        assertThat(test.get(provider.renew(renewed, 0)).held()).isTrue();
         seconds(1.5);
         assertThat(end.isDone()).isFalse();
         seconds(0.2);
-        assertThat(test.get(end)).isEqualTo(DriveEnd.LOST);
+        assertThat(test.get(end)).isEqualTo(ServiceEnd.LOST);
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
-        assertThat(test.get(provider.renew(renewed)).held()).isFalse();
+        assertThat(test.get(provider.renew(renewed, 0)).held()).isFalse();
         assertNotDrivenFor(1);
     }
 
     @Test
     void otherArbitrator_isRefused_whileTheLeaseOfTheFirstHolds() {
-        LeasedRobotServices provider = provider();
+        RobotServices provider = provider();
         drive(provider, new Lease(1, 1, test.get(provider.stamp())));
         assertThat(test.error(drive(provider, new Lease(2, 1, test.get(provider.stamp())))))
                 .isInstanceOf(RemoteFailure.class)
@@ -445,27 +445,27 @@ class FailoverTest extends RobotsBench {
         var end = drive(provider, new Lease(2, 2, test.get(provider.stamp())));
         assertThat(drivers).endsWith("a 1 ends", "a 1 starts");
         seconds(2.1);
-        assertThat(test.get(end)).isEqualTo(DriveEnd.LOST);
+        assertThat(test.get(end)).isEqualTo(ServiceEnd.LOST);
     }
 
     @Test
     void newerLeaseOfTheSameArbitrator_replacesTheOlder_andALateOneHasNoEffect() {
-        LeasedRobotServices provider = provider();
+        RobotServices provider = provider();
         Stamp stamp = test.get(provider.stamp());
         var first = drive(provider, new Lease(1, 2, stamp));
         seconds(0.5);
         var second = drive(provider, new Lease(1, 3, stamp));
-        assertThat(test.get(first)).isEqualTo(DriveEnd.LOST);
-        assertThat(test.get(drive(provider, new Lease(1, 1, stamp)))).isEqualTo(DriveEnd.LOST);
+        assertThat(test.get(first)).isEqualTo(ServiceEnd.LOST);
+        assertThat(test.get(drive(provider, new Lease(1, 1, stamp)))).isEqualTo(ServiceEnd.LOST);
         assertThat(drivers).containsExactly("a 1 starts", "a 1 ends", "a 1 starts");
-        test.get(provider.stop(new Lease(1, 3, stamp)));
+        test.get(provider.stop(new Lease(1, 3, stamp), 0));
         assertThat(test.get(second).colour()).isEmpty();
         assertThat(drivers).hasSize(4);
     }
 
     @Test
     void serviceThatANodeDoesNotOffer_isRefusedByName() {
-        LeasedRobotServices provider = provider();
+        RobotServices provider = provider();
         var lease = new Lease(1, 1, test.get(provider.stamp()));
         assertThat(test.error(provider.drive(lease, 0, "spaceWanderer", BLUE)))
                 .hasMessageContaining("the service spaceWanderer is not offered here, expected one of wallFollower");

@@ -36,7 +36,7 @@ class HostedSamplesTest {
     private final List<String> states = Collections.synchronizedList(new ArrayList<>());
     private final AtomicLong stateNanos = new AtomicLong();
 
-    private final HostedRun.Listener listener = new HostedRun.Listener() {
+    private final SubsumptionRun.HostsListener listener = new SubsumptionRun.HostsListener() {
         @Override
         public void stateStarted(State state, @Nullable Integer seenBy) {
             stateNanos.set(System.nanoTime());
@@ -73,14 +73,14 @@ class HostedSamplesTest {
         var offer = node.offer(driving, robots, List.of("wallFollower", "spaceWanderer"));
         offer.published().get(Duration.ofMinutes(1));
         long beginNanos = System.nanoTime();
-        try (var run = HostedRun.start(node, Mode.PROMISE, SubsumptionTable.ofThePaper(), listener)) {
+        try (var run = SubsumptionRun.overHosts(node, Mode.PROMISE, SubsumptionTable.ofThePaper(), listener)) {
             while (goesOn()) {
                 run.check();
             }
         }
         assertThat(stateNanos.get() - beginNanos)
                 .as("the leases of an earlier arbitrator are over")
-                .isGreaterThanOrEqualTo(FailoverServices.CERTAINLY_OVER.toNanos());
+                .isGreaterThanOrEqualTo(LeasedRobots.CERTAINLY_OVER.toNanos());
         assertThat(states).startsWith("state 1").contains("host 0 wallFollower", "host 1 spaceWanderer");
         offer.withdraw().get(Duration.ofMinutes(1));
         node.close();
@@ -106,7 +106,7 @@ class HostedSamplesTest {
                     // asks again
                 }
                 hosts.loseNoMore("b"); // it publishes its offers each second
-                try (var run = HostedRun.start(node, Mode.PROMISE, SubsumptionTable.ofThePaper(), listener)) {
+                try (var run = SubsumptionRun.overHosts(node, Mode.PROMISE, SubsumptionTable.ofThePaper(), listener)) {
                     while (goesOn()) {
                         run.check();
                     }
@@ -119,12 +119,12 @@ class HostedSamplesTest {
     @Test
     void serviceThatNoNodeOffers_isNamed() throws Exception {
         var node = RobotNode.open(bus, space, BrokerObserver.logging(), 0);
-        assertThatMissing(() -> HostedRun.start(node, Mode.CALLBACK, SubsumptionTable.ofThePaper(), listener));
+        assertThatMissing(() -> SubsumptionRun.overHosts(node, Mode.CALLBACK, SubsumptionTable.ofThePaper(), listener));
         node.close();
     }
 
     private interface Start {
-        HostedRun run() throws InterruptedException;
+        SubsumptionRun run() throws InterruptedException;
     }
 
     private static void assertThatMissing(Start start) throws InterruptedException {

@@ -8,8 +8,10 @@ import static io.troupe.common.text.NamedColours.RED;
 import static io.troupe.services.subsumption.FakeRobots.STOP;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.Callback;
 import io.troupe.actor.Promise;
 import io.troupe.bus.BusTopic;
 import io.troupe.common.text.NamedColours;
@@ -20,7 +22,9 @@ import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.LaserScan;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.subsumption.RobotServices.Lease;
 import io.troupe.services.subsumption.RobotServices.ServiceEnd;
+import io.troupe.services.subsumption.RobotServices.Stamp;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -28,36 +32,46 @@ import java.util.List;
 import java.util.Optional;
 import java.util.logging.Logger;
 import java.util.logging.SimpleFormatter;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** The robot services, called directly and by a client of the broker; and what a behaviour senses. */
 class RobotServicesTest extends RobotsBench {
-    private RobotServicesActor actor; // for calls that are no messages
     private RobotServices services = services(settings(SubsumptionTable.ofThePaper()));
+    private LeasedRobots leased = LeasedRobots.of(services);
 
     private RobotServices services(RobotServicesActor.Settings settings) {
-        return test.spawn(RobotServices.class, () -> {
-            actor = new RobotServicesActor(settings);
-            return actor;
-        });
+        return test.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
     }
 
-    private RobotServices services(SubsumptionTable table) {
-        return services(settings(table).withObserver(ServiceObserver.none()));
+    private void use(SubsumptionTable table) {
+        services = services(settings(table).withObserver(ServiceObserver.none()));
+        leased = LeasedRobots.of(services);
     }
 
-    private Promise<ServiceEnd> drive(int robot, Service service, int stateColour) {
-        var end = services.drive(robot, service.name(), stateColour);
-        test.runQueued();
-        return end;
+    /** A lease that is never over. */
+    private static Lease lease(long number) {
+        return new Lease(1, number, Stamp.NONE);
     }
 
-    private Promise<ServiceEnd> wallFollower(int robot) {
+    private Promise<Optional<Integer>> drive(LeasedRobots robots, int robot, String service) {
+        return call(() -> robots.drive(robot, service, BLUE));
+    }
+
+    private Promise<Optional<Integer>> drive(int robot, Service service, int stateColour) {
+        return call(() -> leased.drive(robot, service.name(), stateColour));
+    }
+
+    private Promise<@Nullable Void> stop(int robot) {
+        return call(() -> leased.stop(robot));
+    }
+
+    private Promise<Optional<Integer>> wallFollower(int robot) {
         return drive(robot, WF, BLUE);
     }
 
-    private void assertSaw(Promise<ServiceEnd> end, int colour) {
-        assertThat(test.get(end)).isEqualTo(new ServiceEnd(Optional.of(colour)));
+    private void assertSaw(Promise<Optional<Integer>> end, int colour) {
+        assertThat(test.get(end)).contains(colour);
     }
 
     private void ticks(int... millis) {
@@ -69,20 +83,20 @@ class RobotServicesTest extends RobotsBench {
     @Test
     void stop_isNoticedWithoutWaitingForTheNextReading() {
         robots.show(0, RED); // a wall follower sees no colours
-        Promise<ServiceEnd> ended = wallFollower(0);
+        Promise<Optional<Integer>> ended = wallFollower(0);
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
         robots.range(0, 3, 0.3);
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0, 0, -0.45, true));
         assertThat(ended.isDone()).isFalse();
-        test.get(services.stop(0));
+        test.get(stop(0));
         assertThat(charge.of(0)).isEmpty();
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
-        assertThat(test.get(ended).colour()).isEmpty();
+        assertThat(test.get(ended)).isEmpty();
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
-        test.get(services.stop(0)); // a second stop has no effect
+        test.get(stop(0)); // a second stop has no effect
         assertThat(robots.commands(0)).hasSize(3);
     }
 
@@ -92,7 +106,7 @@ class RobotServicesTest extends RobotsBench {
         robots.tick(100);
         robots.range(0, 3, 0.3);
         ticks(100, 100);
-        test.get(services.stop(0));
+        test.get(stop(0));
         assertThat(charge.commanded(0))
                 .hasSize(4)
                 .endsWith(Velocity.STOP)
@@ -103,14 +117,14 @@ class RobotServicesTest extends RobotsBench {
 
     @Test
     void stopOfARobotWithoutAService_isDoneAtOnce_andACallThatIsCancelledWhileItIsQueuedHasNoEffect() {
-        test.get(services.stop(1));
+        test.get(stop(1));
         assertThat(robots.connections()).isZero();
         assertCancelledCallHasNoEffect(services);
-        assertCancelledCallHasNoEffect(published(SubsumptionTable.ofThePaper()));
+        assertCancelledCallHasNoEffect(connected(SubsumptionTable.ofThePaper()).get(WF.name()));
     }
 
     private void assertCancelledCallHasNoEffect(RobotServices called) {
-        called.drive(0, WF.name(), BLUE).cancel();
+        called.drive(lease(1), 0, WF.name(), BLUE).cancel();
         test.runQueued();
         robots.tick(100);
         assertThat(robots.connections()).isZero();
@@ -119,8 +133,8 @@ class RobotServicesTest extends RobotsBench {
 
     @Test
     void robotThatDoesNotExist_rejectsThePromise() {
-        for (var each : List.of(published(SubsumptionTable.ofThePaper()), services)) {
-            assertThat(test.error(each.drive(7, WF.name(), BLUE)))
+        for (var each : List.of(published(SubsumptionTable.ofThePaper()), leased)) {
+            assertThat(test.error(drive(each, 7, WF.name())))
                     .isExactlyInstanceOf(PlayerException.class)
                     .hasMessageContaining("position2d:7 is not in the device list")
                     .hasMessageContaining("position2d:0, sonar:0");
@@ -138,11 +152,13 @@ class RobotServicesTest extends RobotsBench {
         }
 
         public void listenTo(String service) {
-            services.drive(
-                    0,
-                    service,
-                    (report, error) ->
-                            received.add(error == null ? NamedColours.name(report.colour()) : error.getMessage()));
+            services.report(
+                            lease(1),
+                            0,
+                            service,
+                            (report, error) ->
+                                    received.add(report == null ? "failed" : NamedColours.name(report.colour())))
+                    .handle((end, error) -> received.add(error == null ? "stopped" : error.getMessage()));
         }
     }
 
@@ -158,8 +174,8 @@ class RobotServicesTest extends RobotsBench {
     @Test
     void serviceThatTheTableDoesNotHave_isRefused_andTheOthersAreNamed() {
         String message = "there is no service wallFolower, expected one of wallFollower, spaceWanderer";
-        for (var each : List.of(published(SubsumptionTable.ofThePaper()), services)) {
-            assertThat(test.error(each.drive(0, "wallFolower", BLUE)))
+        for (var each : List.of(published(SubsumptionTable.ofThePaper()), leased)) {
+            assertThat(test.error(drive(each, 0, "wallFolower")))
                     .isExactlyInstanceOf(IllegalArgumentException.class)
                     .hasMessage(message);
         }
@@ -196,17 +212,32 @@ class RobotServicesTest extends RobotsBench {
     void argumentsAndAnswers_areValues_exceptTheCallback() {
         assertThatCode(() -> new BusTopic<>("reports", ColourReport.class)).doesNotThrowAnyException();
         assertThatCode(() -> new BusTopic<>("ends", ServiceEnd.class)).doesNotThrowAnyException();
+        assertThatCode(() -> new BusTopic<>("leases", Lease.class)).doesNotThrowAnyException();
         assertThat(RobotServices.class.getMethods())
                 .flatExtracting(method -> Arrays.asList(method.getParameterTypes()))
-                .extracting(Object::toString)
-                .containsOnly("int", "class java.lang.String", "interface io.troupe.actor.Callback");
+                .containsOnly(Lease.class, int.class, String.class, Callback.class);
+    }
+
+    private void show(Optional<Integer> colour) {
+        received.add("ended by " + colour);
+    }
+
+    @Test
+    void robotsOfAProvider_areDrivenAndStopped() {
+        test.run(() -> {
+            var robots = LeasedRobots.of(services);
+            robots.drive(0, "spaceWanderer", NamedColours.BLUE).then(colour -> show(colour));
+            robots.stop(0);
+        });
+        assertThat(received).containsExactly("ended by Optional.empty");
+        assertThat(robots.commands(0)).containsOnly(STOP);
     }
 
     // ---- colours
 
     @Test
     void wanderer_endsItselfAtAColour_andSendsItOnce() {
-        Promise<ServiceEnd> end = drive(1, SW, BLUE);
+        Promise<Optional<Integer>> end = drive(1, SW, BLUE);
         robots.tick(100);
         assertThat(robots.lastCommand(1)).isEqualTo(WANDERER_AHEAD);
         robots.show(1, GREEN);
@@ -218,8 +249,8 @@ class RobotServicesTest extends RobotsBench {
 
     @Test
     void wanderer_ignoresBlackOrangeOtherColoursAndTheStatesOwn() {
-        Promise<ServiceEnd> end = drive(0, SW, BLUE);
-        Promise<ServiceEnd> endOfNoState = drive(1, SW, 0x123456); // ends at every colour that has a state
+        Promise<Optional<Integer>> end = drive(0, SW, BLUE);
+        Promise<Optional<Integer>> endOfNoState = drive(1, SW, 0x123456); // ends at every colour that has a state
         for (int ignored : new int[] {BLACK, ORANGE, 0x123456, BLUE}) {
             assertThat(endOfNoState.isDone()).isFalse();
             robots.show(0, ignored);
@@ -235,7 +266,7 @@ class RobotServicesTest extends RobotsBench {
 
     @Test
     void wanderer_followsThePrioritiesAndTheHoldTimeOfItsTable_alsoWhenTheClockIsSetBack() {
-        services = services(SubsumptionTable.forRobots(2)
+        use(SubsumptionTable.forRobots(2)
                 .when(BLUE, SW, SW)
                 .when(RED, SW, SW)
                 .when(GREEN, SW, SW)
@@ -291,14 +322,10 @@ class RobotServicesTest extends RobotsBench {
 
     @Test
     void behaviourAndReports_seeATimeThatGoesOn_whenTheClockIsSetBack() {
-        services = services(table(looking, SW));
+        use(table(looking, SW));
         drive(0, looking, BLUE);
         List<Double> inCharge = new ArrayList<>();
-        test.run(() -> services.drive(1, SW.name(), (report, error) -> {
-            if (report != null) {
-                inCharge.add(report.secondsInCharge());
-            }
-        }));
+        test.run(() -> leased.report(1, SW.name(), report -> inCharge.add(report.secondsInCharge())));
         robots.show(1, RED);
         ticks(100_000, 100, -60_000, 100);
         assertThat(readings)
@@ -323,13 +350,17 @@ class RobotServicesTest extends RobotsBench {
 
     @Test
     void secondService_beginsWhenTheFirstHasStopped() {
-        services.drive(0, WF.name(), BLUE); // has not started at the second call
-        assertThat(test.error(drive(0, SW, BLUE)))
-                .isInstanceOf(IllegalStateException.class)
-                .hasMessageContainingAll("robot 1 is in the charge of wallFollower", "stop the first before");
+        test.run(() -> {
+            leased.drive(0, WF.name(), BLUE); // has not started at the second call
+            assertThatThrownBy(() -> leased.drive(0, SW.name(), BLUE))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContainingAll("robot 1 is in the charge of wallFollower", "stop the first before");
+        });
         robots.tick(100);
-        services.stop(0);
-        drive(0, SW, BLUE);
+        test.run(() -> {
+            leased.stop(0);
+            leased.drive(0, SW.name(), BLUE);
+        });
         assertThat(charge.of(0)).containsExactly(SW);
         assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD, STOP, WANDERER_AHEAD);
         robots.tick(100);
@@ -338,19 +369,19 @@ class RobotServicesTest extends RobotsBench {
 
     @Test
     void stop_alsoStopsAServiceThatHasSeenNothing_orThatStillWaitsForThePreviousOne() {
-        Promise<ServiceEnd> unseeing = drive(1, SW, GREEN);
-        services.stop(1);
-        assertThat(test.get(unseeing).colour()).isEmpty();
+        Promise<Optional<Integer>> unseeing = drive(1, SW, GREEN);
+        stop(1);
+        assertThat(test.get(unseeing)).isEmpty();
         wallFollower(0);
         robots.tick(100);
-        var waiting = new ArrayList<Promise<ServiceEnd>>();
+        var waiting = new ArrayList<Promise<Optional<Integer>>>();
         test.run(
                 () -> { // in one turn, in which the first service cannot end
-                    actor.stop(0);
-                    waiting.add(actor.drive(0, SW.name(), BLUE));
-                    actor.stop(0);
+                    leased.stop(0);
+                    waiting.add(leased.drive(0, SW.name(), BLUE));
+                    leased.stop(0);
                 });
-        assertThat(test.get(waiting.getFirst()).colour()).isEmpty();
+        assertThat(test.get(waiting.getFirst())).isEmpty();
         robots.tick(100);
         assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD, STOP);
         drive(0, SW, BLUE);
@@ -360,11 +391,11 @@ class RobotServicesTest extends RobotsBench {
     @Test
     void stop_duringACycle_isNotForgotten() {
         var stopping = new Service("stopping", false, () -> senses -> {
-            actor.stop(0);
+            leased.stop(0);
             return Optional.empty();
         });
-        services = services(table(stopping));
-        Promise<ServiceEnd> end = drive(0, stopping, BLUE);
+        use(table(stopping));
+        Promise<Optional<Integer>> end = drive(0, stopping, BLUE);
         robots.tick(100);
         assertThat(end.isDone()).isTrue();
     }
@@ -381,10 +412,9 @@ class RobotServicesTest extends RobotsBench {
         wallFollower(0);
         robots.tick(100);
         robots.range(0, 3, Double.NaN);
-        services.stop(0);
-        test.runQueued();
+        stop(0);
         robots.show(0, BLACK);
-        Promise<ServiceEnd> second = drive(0, SW, BLUE); // fails while it takes over
+        Promise<Optional<Integer>> second = drive(0, SW, BLUE); // fails while it takes over
         robots.tick(100);
         assertThat(test.error(second)).hasMessageContaining("sonar 3 reads NaN");
         assertThat(charge.of(0)).as("the robot is free").isEmpty();
@@ -396,8 +426,8 @@ class RobotServicesTest extends RobotsBench {
         var broken = new Service("broken", false, () -> senses -> {
             throw new IllegalStateException("broken");
         });
-        services = services(table(broken));
-        Promise<ServiceEnd> end = drive(0, broken, BLUE);
+        use(table(broken));
+        Promise<Optional<Integer>> end = drive(0, broken, BLUE);
         robots.tick(100);
         assertThat(test.error(end)).hasMessage("broken");
         assertThat(robots.commands(0)).containsExactly(STOP);
@@ -439,7 +469,7 @@ class RobotServicesTest extends RobotsBench {
 
     @Test
     void behaviour_getsBlobsAndStall_ofTheSameReading() {
-        services = services(table(looking, looking));
+        use(table(looking, looking));
         drive(0, looking, BLUE);
         robots.tick(100);
         robots.show(0, RED);
@@ -456,7 +486,7 @@ class RobotServicesTest extends RobotsBench {
         robots.get(1).hasLaser = true;
         Service layers = scanning.over(WF);
         assertThat(layers.usesLaser()).isTrue();
-        services = services(table(layers, looking));
+        use(table(layers, looking));
         drive(0, layers, BLUE);
         drive(1, looking, BLUE);
         robots.tick(100);
@@ -474,14 +504,14 @@ class RobotServicesTest extends RobotsBench {
     void serviceWithLaserThatTheTableGivesToAnotherRobot_getsTheLaserAllTheSame_andOneWithoutGetsNoScan() {
         robots.get(0).hasLaser = true;
         robots.get(1).hasLaser = true;
-        services = services(table(looking, scanning));
+        use(table(looking, scanning));
         drive(0, looking, BLUE);
         robots.tick(100);
-        test.get(services.stop(0));
+        test.get(stop(0));
         drive(0, scanning, BLUE);
         ticks(100, 100);
         assertBeams(0, 3, 3);
-        test.get(services.stop(0));
+        test.get(stop(0));
         readings.clear();
         drive(0, looking, BLUE);
         ticks(100, 100);
@@ -491,13 +521,13 @@ class RobotServicesTest extends RobotsBench {
 
     @Test
     void robotWithoutLaser_isAnErrorThatNamesIt_andItsRobotCanBeServedAgain() {
-        services = services(table(scanning, looking));
+        use(table(scanning, looking));
         assertThat(test.error(drive(0, scanning, BLUE)))
                 .isInstanceOf(PlayerException.class)
                 .hasMessageStartingWith("robot 1 is to use its laser: ")
                 .hasMessageContaining("laser:0 is not in the device list");
         assertThat(robots.connections()).isZero();
-        services = services(table(looking, scanning)); // the table gives the service to another robot
+        use(table(looking, scanning)); // the table gives the service to another robot
         assertThat(test.error(drive(0, scanning, BLUE)))
                 .isInstanceOf(PlayerException.class)
                 .hasMessageContaining("laser:0");

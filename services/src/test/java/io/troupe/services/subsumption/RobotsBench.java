@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.actor.Actor;
 import io.troupe.actor.Callback;
 import io.troupe.actor.Clock;
+import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.common.text.NamedColours;
@@ -15,6 +16,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 
@@ -95,15 +97,27 @@ abstract class RobotsBench {
     /** Services that take calls and never report anything. */
     static class SilentServices extends Actor implements RobotServices {
         @Override
-        public Promise<ServiceEnd> drive(int robot, String service, int stateColour) {
+        public Promise<Stamp> stamp() {
             throw new UnsupportedOperationException();
         }
 
         @Override
-        public void drive(int robot, String service, Callback<ColourReport> reports) {}
+        public Promise<ServiceEnd> drive(Lease lease, int robot, String service, int stateColour) {
+            throw new UnsupportedOperationException();
+        }
 
         @Override
-        public Promise<@Nullable Void> stop(int robot) {
+        public Promise<ServiceEnd> report(Lease lease, int robot, String service, Callback<ColourReport> reports) {
+            return new Deferred<>();
+        }
+
+        @Override
+        public Promise<Renewal> renew(Lease lease, int robot) {
+            throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public Promise<@Nullable Void> stop(Lease lease, int robot) {
             return Promise.done();
         }
     }
@@ -125,15 +139,34 @@ abstract class RobotsBench {
                 .withObserver(charge);
     }
 
-    RobotServices published(SubsumptionTable table) {
+    /** The robots of services that are called through a broker. */
+    LeasedRobots published(SubsumptionTable table) {
+        return LeasedRobots.of(connected(table));
+    }
+
+    /** The services of a broker, each through its connection. */
+    Map<String, RobotServices> connected(SubsumptionTable table) {
         var settings = settings(table);
         return SubsumptionRun.publishAndConnect(
                         test.space(), table, () -> new RobotServicesActor(settings), failures::add)
-                .services();
+                .actors();
+    }
+
+    /** A call of robots, on the space. */
+    <T extends @Nullable Object> Promise<T> call(Supplier<? extends Promise<T>> call) {
+        var called = new ArrayList<Promise<T>>();
+        test.run(() -> {
+            try {
+                called.add(call.get());
+            } catch (RuntimeException refused) {
+                called.add(Promise.failed(refused));
+            }
+        });
+        return called.getFirst();
     }
 
     SubsumptionRun.Settings run(Mode mode, int port, SubsumptionTable table) {
-        return new SubsumptionRun.Settings(mode, "localhost", port, table, Clock.system(), charge, new Events());
+        return new SubsumptionRun.Settings(mode, settings(table).withPort(port), Clock.system(), new Events());
     }
 
     /** A table of one state. */

@@ -9,6 +9,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.Callback;
+import io.troupe.actor.Clock;
+import io.troupe.actor.Promise;
 import io.troupe.player.PlayerException;
 import io.troupe.services.behaviour.Senses;
 import java.time.Duration;
@@ -52,8 +54,9 @@ class SubsumptionRunTest extends RobotsBench {
         List<String> driven = new CopyOnWriteArrayList<>();
         runCallbacks(() -> new SilentServices() {
             @Override
-            public void drive(int robot, String service, Callback<ColourReport> reports) {
+            public Promise<ServiceEnd> report(Lease lease, int robot, String service, Callback<ColourReport> reports) {
                 driven.add(robot + " " + service);
+                return super.report(lease, robot, service, reports);
             }
         });
         assertThat(driven).containsExactly("0 wallFollower", "1 spaceWanderer");
@@ -63,10 +66,12 @@ class SubsumptionRunTest extends RobotsBench {
     void servicesThatEndOrCannotStart_areAFailureOfTheRun() {
         assertThatThrownBy(() -> runCallbacks(() -> new SilentServices() {
                     @Override
-                    public void drive(int robot, String service, Callback<ColourReport> reports) {
+                    public Promise<ServiceEnd> report(
+                            Lease lease, int robot, String service, Callback<ColourReport> reports) {
                         if (robot == 1) { // the last call
                             context().stop();
                         }
+                        return super.report(lease, robot, service, reports);
                     }
                 }))
                 .hasMessageContaining("robotServices");
@@ -77,20 +82,21 @@ class SubsumptionRunTest extends RobotsBench {
     }
 
     @Test
-    void callThatReachesNoServices_isAFailure() {
-        RobotServices services = SubsumptionRun.publishAndConnect(
+    void callThatReachesNoServices_isRejected_andTheStartIsAFailure() {
+        var robots = LeasedRobots.of(SubsumptionRun.publishAndConnect(
                         test.space(),
                         PAPER,
                         () -> {
                             throw new IllegalStateException("no robots");
                         },
                         failures::add)
-                .services();
-        test.run(() -> services.drive(0, "wallFollower", (report, error) -> {}));
-        failures.clear(); // of the start
-        test.advance(Duration.ofSeconds(2));
-        assertThat(failures).singleElement().asString().contains("drive", "found no provider");
+                .actors());
+        Promise<?> end =
+                call(() -> robots.report(0, "wallFollower", report -> {}).thenApply(stopped -> null));
+        assertThat(failures).hasSize(2).allSatisfy(each -> assertThat(each).hasStackTraceContaining("no robots"));
         failures.clear();
+        test.advance(Duration.ofSeconds(5));
+        assertThat(test.error(end)).asString().contains("report", "found no provider");
         assertThat(test.takeProblems()).hasSize(2); // of the starts, one for each service of the table
     }
 
@@ -274,7 +280,8 @@ class SubsumptionRunTest extends RobotsBench {
         assertThatThrownBy(() -> SubsumptionRun.start(run(Mode.SYNC, 1, PAPER)))
                 .isInstanceOf(PlayerException.class)
                 .hasMessageContaining("7001");
-        assertThatThrownBy(() -> settings.withReconnection(true))
+        var anew = settings.robots().withReconnection(true);
+        assertThatThrownBy(() -> new SubsumptionRun.Settings(Mode.SYNC, anew, Clock.system(), settings.listener()))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContainingAll("sync", "connects once");
     }

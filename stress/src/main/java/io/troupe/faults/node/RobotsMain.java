@@ -22,13 +22,13 @@ import io.troupe.faults.history.Event.Surprise;
 import io.troupe.faults.history.History;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.DriverReport;
-import io.troupe.services.subsumption.HostedRun;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotNode;
 import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.State;
+import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -185,7 +185,7 @@ public final class RobotsMain {
     private volatile boolean running = true;
 
     private synchronized void run(Mode mode) throws InterruptedException {
-        try (var run = HostedRun.start(node, mode, SubsumptionTable.ofThePaper(), new Reports())) {
+        try (var run = SubsumptionRun.overHosts(node, mode, SubsumptionTable.ofThePaper(), new Reports())) {
             while (running) {
                 run.check();
                 Thread.sleep(CHECK_MILLIS);
@@ -195,7 +195,7 @@ public final class RobotsMain {
         }
     }
 
-    private final class Reports implements HostedRun.Listener {
+    private final class Reports implements SubsumptionRun.HostsListener {
         @Override
         public void stateStarted(State state, @Nullable Integer seenBy) {}
 

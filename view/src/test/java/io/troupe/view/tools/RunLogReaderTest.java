@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.RobotReading;
@@ -100,8 +101,8 @@ class RunLogReaderTest {
                 var log = new RunLog(file)) {
             log.begin(scenario.world(), RecordedRun.Settings.defaults());
             var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
-            var settings = new SubsumptionRun.Settings(
-                    Mode.PROMISE, "localhost", 6665, table, simulation.clock(), recorder, recorder);
+            var robots = new RobotServicesActor.Settings("localhost", 6665, table, recorder);
+            var settings = new SubsumptionRun.Settings(Mode.PROMISE, robots, simulation.clock(), recorder);
             try (var running = SubsumptionRun.start(settings)) {
                 recorder.start(simulation.latest());
                 snapshots.add(simulation.latest());

@@ -4,14 +4,14 @@ import io.troupe.actor.Actor
 import io.troupe.actor.kotlin.actorScope
 import io.troupe.actor.kotlin.coAwait
 import io.troupe.services.subsumption.Arbitrator.StateListener
-import io.troupe.services.subsumption.RobotServices
+import io.troupe.services.subsumption.LeasedRobots
 import io.troupe.services.subsumption.SubsumptionTable
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.launch
 
 /** The main code of the paper in promise mode, Figure 20, with states 2 and 3, which the paper does not print. */
-open class Demo3(private val robots: RobotServices, private val log: StateListener) : Actor() {
+open class Demo3(private val robots: LeasedRobots, private val log: StateListener) : Actor() {
     private var color2 = 255
 
     open fun live() {
@@ -33,7 +33,7 @@ open class Demo3(private val robots: RobotServices, private val log: StateListen
         val seenBy = CompletableDeferred<Int>()
         services.forEachIndexed { robot, service ->
             launch {
-                robots.drive(robot, service, color2).coAwait().colour.ifPresent { color ->
+                robots.drive(robot, service, color2).coAwait().ifPresent { color ->
                     log.colourReceived(robot, color)
                     if (seenBy.complete(robot)) color2 = color else log.colourTooLate(robot, color)
                 }

@@ -3,6 +3,7 @@ package io.troupe.actor.kotlin.guide
 import io.troupe.actor.ActorSpace
 import io.troupe.actor.SpaceSettings
 import io.troupe.actor.kotlin.spawn
+import io.troupe.services.subsumption.LeasedRobots
 import io.troupe.services.subsumption.RobotServices
 import io.troupe.services.subsumption.RobotServicesActor
 import io.troupe.services.subsumption.SubsumptionTable
@@ -54,7 +55,7 @@ class Figure20Test {
                 simulation.whileWaiting(space::runQueued)
                 val observed = RobotServicesActor.Settings.ofThePaper().withObserver(recorder)
                 val robots = space.spawn<RobotServices> { RobotServicesActor(observed) }
-                space.spawn<Demo3> { Demo3(robots, recorder) }.live()
+                space.spawn<Demo3> { Demo3(LeasedRobots.of(robots), recorder) }.live()
                 space.runQueued()
                 recorder.start(simulation.latest())
                 while (simulation.timeMicros() < 300_000_000) {

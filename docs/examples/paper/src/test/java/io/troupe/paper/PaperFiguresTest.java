@@ -8,10 +8,10 @@ import io.troupe.actor.SpaceSettings;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.LeasedRobots;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.services.subsumption.RobotServicesActor;
-import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Pace;
@@ -171,11 +171,10 @@ class PaperFiguresTest {
         }
         var ofThePaper = changes(takePrinted(), line -> false);
         try (var simulation = open()) {
-            var table = SubsumptionTable.ofThePaper();
             Arbitrator.StateListener listener =
                     (state, seenBy) -> ours.add(stamped(simulation.clock(), "State " + state.number()));
-            var settings = new SubsumptionRun.Settings(
-                    Mode.SYNC, "localhost", 6665, table, simulation.clock(), ServiceObserver.none(), listener);
+            var robots = RobotServicesActor.Settings.ofThePaper();
+            var settings = new SubsumptionRun.Settings(Mode.SYNC, robots, simulation.clock(), listener);
             try (var run = SubsumptionRun.start(settings)) {
                 tick(simulation, TICKS);
                 run.check();
@@ -213,7 +212,7 @@ class PaperFiguresTest {
                 }
                 ours.add(stamped(space.clock(), "State " + state.number()));
             };
-            space.spawn(Arbitrator.class, () -> new Arbitrator(mode, services, table, listener))
+            space.spawn(Arbitrator.class, () -> new Arbitrator(mode, LeasedRobots.of(services), table, listener))
                     .live();
         };
     }
