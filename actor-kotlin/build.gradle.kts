@@ -7,8 +7,6 @@ dependencies {
     api(libs.kotlin.stdlib)
     api(libs.kotlinx.coroutines)
     compileOnly(project(":actor-service")) // only for users of actors as services
-    compileOnly(project(":services")) // only for users of io.troupe.actor.kotlin.robots
-    compileOnly(project(":verification")) // only for users of io.troupe.actor.kotlin.wiring
     testImplementation(project(":view"))
     testImplementation(project(path = ":actor-service", configuration = "tests")) // two hosts in one process
 }

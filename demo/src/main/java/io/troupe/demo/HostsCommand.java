@@ -279,8 +279,8 @@ final class HostsCommand implements Callable<Integer> {
                 bus.attach("faults").subscribe(DriverReport.TOPIC, (report, from) -> {
                     synchronized (drivers) {
                         switch (report.event()) {
-                            case STARTED -> drivers.put(report.robot(), from.node());
-                            case ENDED, LEASE_LOST -> drivers.remove(report.robot(), from.node());
+                            case STARTED -> drivers.put(report.robotIndex(), from.node());
+                            case ENDED, LEASE_LOST -> drivers.remove(report.robotIndex(), from.node());
                             case CYCLE_ENDED, COLOUR_SENT -> {}
                         }
                     }

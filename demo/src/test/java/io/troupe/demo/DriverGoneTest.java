@@ -29,7 +29,6 @@ import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.Service;
-import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
@@ -148,12 +147,16 @@ class DriverGoneTest {
 
     private SubsumptionRun.Settings settings(
             Mode mode, int port, SubsumptionTable table, Arbitrator.StateListener listener) {
-        var robots = new RobotServicesActor.Settings("localhost", port, table, ServiceObserver.none());
-        return new SubsumptionRun.Settings(mode, robots, simulation.clock(), listener);
+        var robots = RobotServicesActor.Settings.defaults().withPort(port).withTable(table);
+        return SubsumptionRun.Settings.defaults()
+                .withMode(mode)
+                .withRobots(robots)
+                .withClock(simulation.clock())
+                .withListener(listener);
     }
 
     private SubsumptionRun start(Mode mode, Service ofRobot1, Service ofRobot2) throws InterruptedException {
-        var table = SubsumptionTable.forRobots(2).when(NamedColours.BLUE, ofRobot1, ofRobot2);
+        var table = SubsumptionTable.forRobots(2).state(NamedColours.BLUE, ofRobot1, ofRobot2);
         return SubsumptionRun.start(settings(mode, port, table.allowFinal().build(), (state, seenBy) -> {}));
     }
 
@@ -231,7 +234,7 @@ class DriverGoneTest {
     }
 
     private static RobotServices drive(ActorSpace space, int port) {
-        var settings = RobotServicesActor.Settings.ofThePaper().withPort(port);
+        var settings = RobotServicesActor.Settings.defaults().withPort(port);
         RobotServices services = space.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
         space.execute(() -> LeasedRobots.of(services).drive(0, Service.WALL_FOLLOWER.name(), NamedColours.BLUE));
         var connected = new CountDownLatch(1);
@@ -368,7 +371,7 @@ class DriverGoneTest {
     @EnumSource
     void connectionThatIsCutWithoutAWord_endsTheServiceWithAnErrorToo(Cut cut) throws Exception {
         var driving = new Service("driving", false, () -> senses -> Optional.of(TURNING));
-        var table = SubsumptionTable.forRobots(1).when(NamedColours.BLUE, driving);
+        var table = SubsumptionTable.forRobots(1).state(NamedColours.BLUE, driving);
         try (var tcp = TcpServer.open(PlayerPorts.find(port).orElseThrow(), 0);
                 var cable = new Cable(tcp.port());
                 var run = SubsumptionRun.start(settings(

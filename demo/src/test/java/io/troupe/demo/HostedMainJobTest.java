@@ -13,7 +13,6 @@ import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.services.subsumption.RobotNode;
 import io.troupe.services.subsumption.RobotServicesActor;
-import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Pace;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.SimulationRunner;
@@ -268,9 +267,8 @@ class HostedMainJobTest extends CommandLineBench {
                         space,
                         BrokerObserver.logging(),
                         0)) {
-            var settings = RobotServicesActor.Settings.ofThePaper()
-                    .withPort(Integer.parseInt(robots.substring(robots.indexOf(':') + 1)))
-                    .withTable(SubsumptionTable.ofThePaper());
+            var settings = RobotServicesActor.Settings.defaults()
+                    .withPort(Integer.parseInt(robots.substring(robots.indexOf(':') + 1)));
             node.offer(space, settings, List.of("wallFollower")).published().get(Duration.ofMinutes(1));
             assertFails(
                     MISSING_SERVICE,

@@ -29,9 +29,13 @@ public final class RecordedDrive implements ServiceObserver, Arbitrator.StateLis
     /** Lets the services of a table drive for a time, checks that none has failed, and returns the end. */
     public Snapshot drive(Mode mode, Scenario scenario, SubsumptionTable table, int seconds)
             throws InterruptedException {
-        var robots = new RobotServicesActor.Settings("localhost", 6665, table, this);
+        var robots = RobotServicesActor.Settings.defaults().withTable(table).withObserver(this);
         try (var simulation = Simulation.open(scenario, WorldSettings.defaults().withSeed(1));
-                var run = SubsumptionRun.start(new SubsumptionRun.Settings(mode, robots, simulation.clock(), this))) {
+                var run = SubsumptionRun.start(SubsumptionRun.Settings.defaults()
+                        .withMode(mode)
+                        .withRobots(robots)
+                        .withClock(simulation.clock())
+                        .withListener(this))) {
             while (simulation.timeMicros() < seconds * 1_000_000L) {
                 simulation.tick();
                 run.check();

@@ -204,10 +204,10 @@ public final class MeasureNets implements Callable<Integer> {
         /** Each of n workers takes two of n + 1 tools, one after the other; one of them can always take its second. */
         private static Wiring workerWiring(int count) {
             var worker = Protocol.of("worker")
-                    .in("idle", acquires("tool").then("one"))
-                    .in("one", acquires("tool").then("both"))
-                    .in("both", releases("tool").then("back"))
-                    .in("back", releases("tool").then("idle"))
+                    .state("idle", acquires("tool").then("one"))
+                    .state("one", acquires("tool").then("both"))
+                    .state("both", releases("tool").then("back"))
+                    .state("back", releases("tool").then("idle"))
                     .build();
             return Wiring.of(count + " workers")
                     .components("worker", count, worker)
@@ -278,14 +278,14 @@ public final class MeasureNets implements Callable<Integer> {
         /** The forks are components too; with {@code leftHanded} the last philosopher takes them in the other order. */
         private static Wiring table(int count, boolean leftHanded) {
             var fork = Protocol.of("fork")
-                    .in("free", provides("take").then("taken"))
-                    .in("taken", provides("put").then("free"))
+                    .state("free", provides("take").then("taken"))
+                    .state("taken", provides("put").then("free"))
                     .build();
             var philosopher = Protocol.of("philosopher")
-                    .in("thinking", requests("first.take").then("holding"))
-                    .in("holding", requests("second.take").then("eating"))
-                    .in("eating", requests("first.put").then("leaving"))
-                    .in("leaving", requests("second.put").then("thinking"))
+                    .state("thinking", requests("first.take").then("holding"))
+                    .state("holding", requests("second.take").then("eating"))
+                    .state("eating", requests("first.put").then("leaving"))
+                    .state("leaving", requests("second.put").then("thinking"))
                     .build();
             var table = Wiring.of("table")
                     .components("philosopher", count, philosopher)

@@ -323,10 +323,16 @@ public final class RecordedRun {
         try (var simulation = Simulation.open(scenario, world)) {
             log.begin(scenario.world(), settings);
             var recorder = new RunRecorder(scenario.world(), table, log, listener::stateStarted);
-            var robots = new RobotServicesActor.Settings(
-                    "localhost", port, table, listener.services(recorder), settings.reconnects());
-            var services = new SubsumptionRun.Settings(
-                            settings.mode(), robots, simulation.clock(), listener.states(recorder))
+            var robots = RobotServicesActor.Settings.defaults()
+                    .withPort(port)
+                    .withTable(table)
+                    .withObserver(listener.services(recorder))
+                    .withReconnection(settings.reconnects());
+            var services = SubsumptionRun.Settings.defaults()
+                    .withMode(settings.mode())
+                    .withRobots(robots)
+                    .withClock(simulation.clock())
+                    .withListener(listener.states(recorder))
                     .withRound(settings.round())
                     .withCallObserver(listener.callObserver());
             try (var running = SubsumptionRun.start(services);

@@ -35,8 +35,12 @@ import org.jspecify.annotations.Nullable;
  * {@snippet :
  * log.begin(scenario.world(), described);
  * var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
- * var robots = RobotServicesActor.Settings.ofThePaper().withObserver(recorder);
- * var settings = new SubsumptionRun.Settings(Mode.CALLBACK, robots, simulation.clock(), recorder);
+ * var robots = RobotServicesActor.Settings.defaults().withObserver(recorder);
+ * var settings = SubsumptionRun.Settings.defaults()
+ *         .withMode(Mode.CALLBACK)
+ *         .withRobots(robots)
+ *         .withClock(simulation.clock())
+ *         .withListener(recorder);
  * try (var running = SubsumptionRun.start(settings)) {
  *     recorder.start(simulation.latest());
  *     while (simulation.timeMicros() < 2_000_000) {
@@ -141,19 +145,19 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
 
     /** @param drivers is called with a line of text when a node begins to drive a robot */
     void driverReported(DriverReport report, String node, Consumer<String> drivers) {
-        if (report.robot() < 0 || report.robot() >= robots.size()) {
+        if (report.robotIndex() < 0 || report.robotIndex() >= robots.size()) {
             return; // of another table
         }
-        RobotRecord robot = robots.get(report.robot());
+        RobotRecord robot = robots.get(report.robotIndex());
         boolean begins = report.event() == DriverReport.Event.STARTED;
         if (begins && !node.equals(robot.node())) {
             robot.lostDriver(); // the node before has not reported its end, or not yet
             robot.drivenBy(timeMicros(), node);
             log.write(Json.line(timeMicros(), "driver")
-                    .put("robot", report.robot() + 1)
+                    .put("robot", report.robotIndex() + 1)
                     .put("service", report.service())
                     .put("node", node));
-            drivers.accept(describe(report.robot(), "is driven by " + node));
+            drivers.accept(describe(report.robotIndex(), "is driven by " + node));
         }
         if (node.equals(robot.node()) || report.event() == DriverReport.Event.COLOUR_SENT) {
             report.notify(this, table);

@@ -218,8 +218,12 @@ class ModesTest {
         try (var simulation = Simulation.open(
                 ScenarioReader.read(WORLD), WorldSettings.defaults().withSeed(1))) {
             var table = SubsumptionTable.ofThePaper();
-            var robots = new RobotServicesActor.Settings("localhost", 6665, table, callbacks);
-            var settings = new SubsumptionRun.Settings(mode, robots, simulation.clock(), callbacks);
+            var robots = RobotServicesActor.Settings.defaults().withTable(table).withObserver(callbacks);
+            var settings = SubsumptionRun.Settings.defaults()
+                    .withMode(mode)
+                    .withRobots(robots)
+                    .withClock(simulation.clock())
+                    .withListener(callbacks);
             try (var run = SubsumptionRun.start(settings)) {
                 while (Collections.frequency(called, "stateStarted") < 3 && simulation.timeMicros() < SECONDS * 1e6) {
                     simulation.tick();
@@ -241,14 +245,14 @@ class ModesTest {
         static Team of(Random random) {
             int robots = 6 + random.nextInt(15);
             int colours = 2 + random.nextInt(7);
-            var table = SubsumptionTable.forRobots(robots).hold(random.nextInt(3) * random.nextDouble());
+            var table = SubsumptionTable.forRobots(robots).holdSeconds(random.nextInt(3) * random.nextDouble());
             for (int colour : CrowdWorld.colours(colours)) {
                 List<Service> services = new ArrayList<>();
                 for (int robot = 0; robot < robots; robot++) {
                     services.add(SERVICES.get(random.nextInt(SERVICES.size())));
                 }
                 services.set(random.nextInt(robots), Service.SPACE_WANDERER); // at least one that looks for colours
-                table.when(colour, services);
+                table.state(colour, services);
                 if (random.nextBoolean()) {
                     table.priority(colour, random.nextInt(5) - 2);
                 }

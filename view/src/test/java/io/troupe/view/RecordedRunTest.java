@@ -81,8 +81,12 @@ class RecordedRunTest {
                 var log = new RunLog(out.resolve("own.jsonl"))) {
             log.begin(scenario.world(), described);
             var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
-            var robots = RobotServicesActor.Settings.ofThePaper().withObserver(recorder);
-            var settings = new SubsumptionRun.Settings(Mode.CALLBACK, robots, simulation.clock(), recorder);
+            var robots = RobotServicesActor.Settings.defaults().withObserver(recorder);
+            var settings = SubsumptionRun.Settings.defaults()
+                    .withMode(Mode.CALLBACK)
+                    .withRobots(robots)
+                    .withClock(simulation.clock())
+                    .withListener(recorder);
             try (var running = SubsumptionRun.start(settings)) {
                 recorder.start(simulation.latest());
                 while (simulation.timeMicros() < 2_000_000) {

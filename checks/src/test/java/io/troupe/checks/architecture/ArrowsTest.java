@@ -79,8 +79,6 @@ class ArrowsTest {
     @CsvSource({
         "actor..,               ''",
         "actor.kotlin,          actor actor.internal actor.internal.loop actor.testkit bus broker",
-        "actor.kotlin.robots,   services.behaviour services.subsumption",
-        "actor.kotlin.wiring,   petri.wiring",
         "actor.micrometer,      actor",
         "actor.internal.loop,   ''",
         "actor.internal,        actor actor.internal.loop",

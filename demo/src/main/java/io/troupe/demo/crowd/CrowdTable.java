@@ -38,9 +38,9 @@ public final class CrowdTable {
     public static SubsumptionTable of(
             int robots, List<Integer> colours, int services, double holdSeconds, CornerStyle corners) {
         List<Service> known = CrowdServices.first(services, corners);
-        var table = SubsumptionTable.forRobots(robots).hold(holdSeconds);
+        var table = SubsumptionTable.forRobots(robots).holdSeconds(holdSeconds);
         for (int state = 0; state < colours.size(); state++) {
-            table.when(colours.get(state), assignment(robots, known, state).toArray(Service[]::new));
+            table.state(colours.get(state), assignment(robots, known, state).toArray(Service[]::new));
         }
         return table.build();
     }

@@ -166,9 +166,15 @@ final class CrowdTrial {
             var watch = new Watch();
             var drivers = new Drivers(settings.robots());
             int port = scenario.devices().getFirst().port();
-            var robots = new RobotServicesActor.Settings(
-                    "localhost", port, table, page == null ? ServiceObserver.none() : drivers);
-            var services = new SubsumptionRun.Settings(Mode.PROMISE, robots, simulation.clock(), watch)
+            var robots = RobotServicesActor.Settings.defaults()
+                    .withPort(port)
+                    .withTable(table)
+                    .withObserver(page == null ? ServiceObserver.none() : drivers);
+            var services = SubsumptionRun.Settings.defaults()
+                    .withMode(Mode.PROMISE)
+                    .withRobots(robots)
+                    .withClock(simulation.clock())
+                    .withListener(watch)
                     .withCallObserver(page == null ? null : page.callGraph());
             if (page != null) {
                 var viewed =

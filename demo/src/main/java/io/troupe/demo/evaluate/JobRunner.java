@@ -100,8 +100,17 @@ final class JobRunner {
     }
 
     private static SubsumptionRun.Settings settings(Job job, String host, int port, Clock clock, Meter meter) {
-        var robots = new RobotServicesActor.Settings(host, port, table(job), meter, job.kind() == Kind.RECONNECTS);
-        return new SubsumptionRun.Settings(job.mode(), robots, clock, meter);
+        var robots = RobotServicesActor.Settings.defaults()
+                .withHost(host)
+                .withPort(port)
+                .withTable(table(job))
+                .withObserver(meter)
+                .withReconnection(job.kind() == Kind.RECONNECTS);
+        return SubsumptionRun.Settings.defaults()
+                .withMode(job.mode())
+                .withRobots(robots)
+                .withClock(clock)
+                .withListener(meter);
     }
 
     private static Meter meter(Job job, Meter.RobotClock time) {
@@ -131,14 +140,14 @@ final class JobRunner {
      */
     static SubsumptionTable oneState() {
         return SubsumptionTable.forRobots(2)
-                .when(NamedColours.BLUE, Service.WALL_FOLLOWER, Service.SPACE_WANDERER)
+                .state(NamedColours.BLUE, Service.WALL_FOLLOWER, Service.SPACE_WANDERER)
                 .build();
     }
 
     /** Robot 1 alone, in one state that never ends. */
     private static SubsumptionTable alone(Service service) {
         return SubsumptionTable.forRobots(1)
-                .when(NamedColours.BLUE, service)
+                .state(NamedColours.BLUE, service)
                 .allowFinal()
                 .build();
     }

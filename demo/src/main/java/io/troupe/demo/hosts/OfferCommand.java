@@ -141,7 +141,11 @@ public final class OfferCommand implements Callable<Integer> {
                 var driving = ActorSpace.create(SpaceSettings.named("robots"));
                 var bus = busOptions.open(BusSettings.on(space).withObserver(lines.ofBus()));
                 var node = RobotNode.open(bus, space, lines::onBroker, rank)) {
-            var settings = new RobotServicesActor.Settings(address.host(), address.port(), read, lines);
+            var settings = RobotServicesActor.Settings.defaults()
+                    .withHost(address.host())
+                    .withPort(address.port())
+                    .withTable(read)
+                    .withObserver(lines);
             var offer = node.offer(driving, settings, offered);
             offer.published().get(STOP_LIMIT);
             lines.print(bus.node() + " offers " + String.join(", ", offered) + " for the robots at " + address

@@ -20,15 +20,15 @@ enum LifecycleWirings {
     PROVIDER(
             "provider",
             Protocol.of("provider")
-                    .in(
+                    .state(
                             "unknown",
                             does("is registered").then("idle"),
                             does("is being started").then("starting"))
-                    .in(
+                    .state(
                             "idle",
                             does("is being started").then("starting"),
                             does("leaves").then("left"))
-                    .in(
+                    .state(
                             "starting",
                             does("sends").then("starting"),
                             does("has started").then("running"),
@@ -36,7 +36,7 @@ enum LifecycleWirings {
                             does("has stopped").then("idle"),
                             does("could not be stopped").then("failed"),
                             does("leaves").then("left while starting"))
-                    .in(
+                    .state(
                             "running",
                             does("sends").then("running"),
                             does("is suspect").then("suspect"),
@@ -44,7 +44,7 @@ enum LifecycleWirings {
                             does("has stopped").then("idle"),
                             does("could not be stopped").then("failed"),
                             does("leaves").then("left"))
-                    .in(
+                    .state(
                             "suspect",
                             does("sends").then("suspect"),
                             does("has recovered").then("running"),
@@ -52,21 +52,21 @@ enum LifecycleWirings {
                             does("has stopped").then("idle"),
                             does("could not be stopped").then("failed"),
                             does("leaves").then("left"))
-                    .in(
+                    .state(
                             "failed",
                             does("sends").then("failed"),
                             does("is being started").then("starting"),
                             does("has stopped").then("idle"),
                             does("could not be stopped").then("failed"),
                             does("leaves").then("left"))
-                    .in(
+                    .state(
                             "left while starting",
                             does("sends").then("left while starting"),
                             does("has started").then("left"),
                             does("could not be started").then("left"),
                             does("has stopped").then("left"),
                             does("could not be stopped").then("left"))
-                    .in(
+                    .state(
                             "left",
                             does("sends").then("left"),
                             does("has failed").then("left"),
@@ -79,12 +79,12 @@ enum LifecycleWirings {
     REQUEST(
             "request",
             Protocol.of("request")
-                    .in("new", does("is sent").then("open"))
-                    .in(
+                    .state("new", does("is sent").then("open"))
+                    .state(
                             "open",
                             does("is answered").then("over"),
                             does("is rejected").then("over"))
-                    .in("over", does("is forgotten").then("new"))
+                    .state("over", does("is forgotten").then("new"))
                     .build());
 
     private final String component;

@@ -78,19 +78,19 @@ final class MonitoredRunWiring {
         var world = Protocol.of("world");
         chain(world, "answered ", i -> "service" + i + ".answered", "promised 1");
         chain(world, "promised ", i -> "promise" + i + ".idle", "judged");
-        world.in("judged", requests("inbox.idle").then("settled"));
-        world.in("settled", requests("arbitrator.idle").then("reading 1"));
+        world.state("judged", requests("inbox.idle").then("settled"));
+        world.state("settled", requests("arbitrator.idle").then("reading 1"));
         chain(world, "reading ", i -> "service" + i + ".data", "answered 1");
         if (mayFail) {
-            world.in(OVER, does("end the run").then(OVER));
+            world.state(OVER, does("end the run").then(OVER));
         }
         return world.build();
     }
 
     private Protocol arbitrator() {
-        var arbitrator = Protocol.of("arbitrator").in("new", does("live").then("starting 1"));
+        var arbitrator = Protocol.of("arbitrator").state("new", does("live").then("starting 1"));
         chain(arbitrator, "starting ", i -> "starter" + i + ".send", "watching");
-        arbitrator.in(
+        arbitrator.state(
                 "watching",
                 provides("change").then("stopping 1"),
                 provides("idle").then("watching"));
@@ -101,11 +101,11 @@ final class MonitoredRunWiring {
 
     private static Protocol inbox() {
         return Protocol.of("inbox")
-                .in(
+                .state(
                         "ready",
                         provides("colour").then("judging"),
                         provides("idle").then("ready"))
-                .in(
+                .state(
                         "judging",
                         does("ignore the colour").then("ready"),
                         requests("arbitrator.change").then("ready"))
@@ -114,19 +114,19 @@ final class MonitoredRunWiring {
 
     private Protocol service() {
         var service = Protocol.of("service")
-                .in("free", provides("begin").then("in charge"))
-                .in(
+                .state("free", provides("begin").then("in charge"))
+                .state(
                         "in charge",
                         provides("data").then("deciding"),
                         provides("answered").then("in charge"),
                         provides("stop").then("free"))
-                .in(
+                .state(
                         "deciding",
                         does("drive on").then("in charge"),
                         does("see a colour").then("reporting"))
-                .in("reporting", requests("promise.fulfil").then("in charge"));
+                .state("reporting", requests("promise.fulfil").then("in charge"));
         if (mayFail) {
-            service.in(
+            service.state(
                             "failed",
                             provides("begin").then("in charge"),
                             provides("stop").then("failed"),
@@ -139,29 +139,29 @@ final class MonitoredRunWiring {
 
     private static Protocol promise() {
         return Protocol.of("promise")
-                .in(
+                .state(
                         "pending",
                         provides("fulfil").then("fulfilled"),
                         provides("idle").then("pending"))
-                .in("fulfilled", requests("inbox.colour").then("pending"))
+                .state("fulfilled", requests("inbox.colour").then("pending"))
                 .build();
     }
 
     private Protocol starter() {
         return Protocol.of("starter")
-                .in("free", provides("send").then("sent"))
-                .in("sent", orRejected(requests("service.begin").then("free"), "free"))
+                .state("free", provides("send").then("sent"))
+                .state("sent", orRejected(requests("service.begin").then("free"), "free"))
                 .build();
     }
 
     /** A stop that fails is not answered to the arbitrator, which waits until the run ends. */
     private Protocol stopper() {
         var stopper = Protocol.of("stopper")
-                .in("free", provides("send").then("sent"))
-                .in("sent", orRejected(requests("service.stop").then("stopped"), OVER))
-                .in("stopped", provides("done").then("free"));
+                .state("free", provides("send").then("sent"))
+                .state("sent", orRejected(requests("service.stop").then("stopped"), OVER))
+                .state("stopped", provides("done").then("free"));
         if (mayFail) {
-            stopper.in(OVER, does("wait for the end of the run").then(OVER));
+            stopper.state(OVER, does("wait for the end of the run").then(OVER));
         }
         return stopper.build();
     }
@@ -177,26 +177,26 @@ final class MonitoredRunWiring {
         for (int i = 1; i <= robots; i++) {
             var cycle = orRejected(requests("service" + i + ".cycle").then("after " + i), "closing 1");
             if (mayFail) {
-                loop.in("turn " + i, cycle, does("lose the connection").then("closing 1"));
+                loop.state("turn " + i, cycle, does("lose the connection").then("closing 1"));
             } else {
-                loop.in("turn " + i, cycle);
+                loop.state("turn " + i, cycle);
             }
-            loop.in(
+            loop.state(
                     "after " + i,
                     does("see nothing new").then("turn " + (i % robots + 1)),
                     does("change the state").then("ending 1"));
         }
         chain(loop, "ending ", i -> "service" + i + ".end", "starting 1");
         var service = Protocol.of("service")
-                .in("free", provides("start").then("in charge"))
-                .in(
+                .state("free", provides("start").then("in charge"))
+                .state(
                         "in charge",
                         provides("cycle").then("in charge"),
                         provides("end").then("free"));
         if (mayFail) {
             chain(loop, "closing ", i -> "service" + i + ".end", OVER);
-            loop.in(OVER, does("end the run").then(OVER));
-            service.in(
+            loop.state(OVER, does("end the run").then(OVER));
+            service.state(
                             "failed",
                             provides("end").then("free"),
                             rejects("start").then("failed"),
@@ -214,7 +214,7 @@ final class MonitoredRunWiring {
         for (int i = 1; i <= robots; i++) {
             var target = request.apply(i);
             var step = requests(target).then(i < robots ? state + (i + 1) : last);
-            protocol.in(state + i, target.startsWith("service") ? orRejected(step, OVER) : step);
+            protocol.state(state + i, target.startsWith("service") ? orRejected(step, OVER) : step);
         }
     }
 }

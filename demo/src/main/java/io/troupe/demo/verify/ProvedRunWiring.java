@@ -50,51 +50,52 @@ final class ProvedRunWiring {
      * in transit.
      */
     private static Protocol world(int robots, boolean promises) {
-        var world = Protocol.of("world").in("new", requests("arbitrator.idle").then("reading 1"));
+        var world =
+                Protocol.of("world").state("new", requests("arbitrator.idle").then("reading 1"));
         chain(world, "reading ", robots, i -> "service" + i + ".data", "waiting 1");
         chain(world, "waiting ", robots, i -> "service" + i + ".answered", promises ? "promised 1" : "settled");
         if (promises) {
             chain(world, "promised ", robots, i -> "promise" + i + ".idle", "settled");
         }
-        return world.in("settled", requests("arbitrator.idle").then("reading 1"))
+        return world.state("settled", requests("arbitrator.idle").then("reading 1"))
                 .build();
     }
 
     private static Protocol service(String reportsTo) {
         return Protocol.of("service")
-                .in("free", provides("begin").then("in charge"))
-                .in(
+                .state("free", provides("begin").then("in charge"))
+                .state(
                         "in charge",
                         provides("data").then("deciding"),
                         provides("answered").then("in charge"),
                         provides("stop").then("free"))
-                .in(
+                .state(
                         "deciding",
                         does("drive on").then("in charge"),
                         does("see a colour").then("ending"))
-                .in("ending", requests(reportsTo).then("in charge"))
+                .state("ending", requests(reportsTo).then("in charge"))
                 .build();
     }
 
     private static Protocol promise() {
         return Protocol.of("promise")
-                .in(
+                .state(
                         "pending",
                         provides("fulfil").then("fulfilled"),
                         provides("idle").then("pending"))
-                .in("fulfilled", requests("arbitrator.colour").then("pending"))
+                .state("fulfilled", requests("arbitrator.colour").then("pending"))
                 .build();
     }
 
     private static Protocol arbitrator(int robots) {
-        var arbitrator = Protocol.of("arbitrator").in("new", does("live").then("beginning 1"));
+        var arbitrator = Protocol.of("arbitrator").state("new", does("live").then("beginning 1"));
         chain(arbitrator, "beginning ", robots, i -> "service" + i + ".begin", "watching");
         arbitrator
-                .in(
+                .state(
                         "watching",
                         provides("colour").then("judging"),
                         provides("idle").then("watching"))
-                .in(
+                .state(
                         "judging",
                         does("drop a colour of the state before").then("watching"),
                         does("change the state").then("stopping 1"));
@@ -106,7 +107,7 @@ final class ProvedRunWiring {
     private static void chain(
             ProtocolBuilder protocol, String state, int robots, IntFunction<String> request, String last) {
         for (int i = 1; i <= robots; i++) {
-            protocol.in(state + i, requests(request.apply(i)).then(i < robots ? state + (i + 1) : last));
+            protocol.state(state + i, requests(request.apply(i)).then(i < robots ? state + (i + 1) : last));
         }
     }
 }

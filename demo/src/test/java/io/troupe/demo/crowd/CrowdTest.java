@@ -191,7 +191,7 @@ class CrowdTest {
         var table = table(robots, COLOURS, 3);
         try (var simulation = Simulation.open(CrowdWorld.scenario(robots, COLOURS), WorldSettings.defaults());
                 var space = ActorSpace.create(SpaceSettings.named("crowd").withClock(simulation.clock()))) {
-            var settings = RobotServicesActor.Settings.ofThePaper().withTable(table);
+            var settings = RobotServicesActor.Settings.defaults().withTable(table);
             var broker = Broker.open(space, BrokerSettings.defaults());
             var actors = broker.services();
             var type = RobotServices.class;

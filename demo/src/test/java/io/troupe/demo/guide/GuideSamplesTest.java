@@ -77,32 +77,32 @@ class GuideSamplesTest {
 
     private static Protocol camera() {
         var camera = Protocol.of("camera")
-                .in(
+                .state(
                         "idle",
                         does("take a picture").then("holding"),
                         provides("pause").then("paused"))
-                .in("holding", requests("store.keep").then("idle"))
-                .in("paused", does("wake up").then("idle"))
+                .state("holding", requests("store.keep").then("idle"))
+                .state("paused", does("wake up").then("idle"))
                 .build();
         return camera;
     }
 
     private static Protocol store() {
         var store = Protocol.of("store")
-                .in("open", provides("keep").then("checking"))
-                .in(
+                .state("open", provides("keep").then("checking"))
+                .state(
                         "checking",
                         does("find room").then("open"),
                         does("find none").then("full"))
-                .in("full", requests("camera.pause").then("open"))
+                .state("full", requests("camera.pause").then("open"))
                 .build();
         return store;
     }
 
     private static Protocol boundedStore() {
         return Protocol.of("store")
-                .in("open", provides("keep").then("checking"))
-                .in(
+                .state("open", provides("keep").then("checking"))
+                .state(
                         "checking",
                         does("find room").then("open"),
                         does("drop the oldest").then("open"))
@@ -184,10 +184,11 @@ class GuideSamplesTest {
     @Test
     void followedMessages_areRejectedByAFullMailbox() {
         var camera = Protocol.of("camera")
-                .in("on", sends("store.keep").then("on").orRejected("on"))
+                .state("on", sends("store.keep").then("on").orRejected("on"))
                 .build();
-        var store =
-                Protocol.of("store").in("open", receives("keep").then("open")).build();
+        var store = Protocol.of("store")
+                .state("open", receives("keep").then("open"))
+                .build();
         var wiring = Wiring.of("pictures")
                 .component(camera)
                 .component(store)
@@ -233,8 +234,8 @@ class GuideSamplesTest {
 
     private static Protocol tireless() {
         return Protocol.of("camera")
-                .in("idle", does("take a picture").then("holding"))
-                .in("holding", requests("store.keep").then("idle"))
+                .state("idle", does("take a picture").then("holding"))
+                .state("holding", requests("store.keep").then("idle"))
                 .build();
     }
 
@@ -321,12 +322,14 @@ class GuideSamplesTest {
         Service avoid = new Service("avoid", false, Avoid.DEFAULT::behaviour);
         return SubsumptionTable.forRobots(robots)
                 .ignoring(NamedColours.BLACK, "walls")
-                .when(
+                .state(
                         NamedColours.BLUE,
                         Assignment.everyRobot(Service.SPACE_WANDERER).robots(3, 5, Service.WALL_FOLLOWER))
-                .when(NamedColours.RED, Assignment.everyRobot(avoid.over(spin()).over(Service.SPACE_WANDERER)))
+                .state(
+                        NamedColours.RED,
+                        Assignment.everyRobot(avoid.over(spin()).over(Service.SPACE_WANDERER)))
                 .priority(NamedColours.RED, 1)
-                .hold(2)
+                .holdSeconds(2)
                 .build();
     }
 
@@ -346,10 +349,14 @@ class GuideSamplesTest {
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.world"));
         try (var simulation = Simulation.open(scenario, WorldSettings.defaults().withSeed(1))) {
             var clock = simulation.clock();
-            var robots = RobotServicesActor.Settings.ofThePaper()
+            var robots = RobotServicesActor.Settings.defaults()
                     .withObserver(observer)
                     .withReconnection(true);
-            var settings = new SubsumptionRun.Settings(Mode.CALLBACK, robots, clock, listener);
+            var settings = SubsumptionRun.Settings.defaults()
+                    .withMode(Mode.CALLBACK)
+                    .withRobots(robots)
+                    .withClock(clock)
+                    .withListener(listener);
             try (var run = SubsumptionRun.start(settings)) {
                 // advance the world; check() throws if a service has failed
                 for (int i = 0; i < ticks; i++) {
@@ -426,7 +433,7 @@ class GuideSamplesTest {
 
     private static Snapshot run(Mode mode, String things, int seconds, Service... services) throws Exception {
         var scenario = ScenarioReader.readText(ROBOTS + things, Path.of("worlds", "field.world"));
-        var table = SubsumptionTable.forRobots(services.length).when(NamedColours.BLUE, services);
+        var table = SubsumptionTable.forRobots(services.length).state(NamedColours.BLUE, services);
         return new RecordedDrive().drive(mode, scenario, table.allowFinal().build(), seconds);
     }
 

@@ -18,7 +18,6 @@ import io.troupe.petri.wiring.WiringMonitor.ViolationException;
 import io.troupe.petri.wiring.WiringResult;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Arbitrator;
-import io.troupe.services.subsumption.ColourReport;
 import io.troupe.services.subsumption.LeasedRobots;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
@@ -384,7 +383,7 @@ class RunMonitorTest {
                 var space = ActorSpace.create(SpaceSettings.named("robots")
                         .withClock(simulation.clock())
                         .withCallObserver(monitor.calls()))) {
-            var settings = RobotServicesActor.Settings.ofThePaper()
+            var settings = RobotServicesActor.Settings.defaults()
                     .withPort(scenario.robotPort().orElseThrow())
                     .withObserver(monitor.services(ServiceObserver.none()));
             RobotServices services = space.spawn(RobotServices.class, () -> new RobotServicesActor(settings));

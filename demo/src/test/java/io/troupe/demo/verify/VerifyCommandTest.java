@@ -144,26 +144,26 @@ class VerifyCommandTest extends CommandLineBench {
     @Test
     void netOfNestedAcquisitions_canDeadlock() {
         var server = Protocol.of("server")
-                .in("s0", acquires("r1").then("s1"))
-                .in("s1", acquires("r2").then("s2"))
-                .in("s2", provides("go").then("s3"))
-                .in("s3", releases("r2").then("s4"))
-                .in("s4", releases("r1").then("s0"));
+                .state("s0", acquires("r1").then("s1"))
+                .state("s1", acquires("r2").then("s2"))
+                .state("s2", provides("go").then("s3"))
+                .state("s3", releases("r2").then("s4"))
+                .state("s4", releases("r1").then("s0"));
         var user = Protocol.of("user")
-                .in("u", does("well").then("call"), does("badly").then("stuck"))
-                .in("call", requests("server.go").then("u"))
-                .in("stuck", acquires("lock").then("held"))
-                .in("held", acquires("lock").then("twice"))
-                .in("twice", releases("lock").then("held"));
+                .state("u", does("well").then("call"), does("badly").then("stuck"))
+                .state("call", requests("server.go").then("u"))
+                .state("stuck", acquires("lock").then("held"))
+                .state("held", acquires("lock").then("twice"))
+                .state("twice", releases("lock").then("held"));
         var fork = Protocol.of("fork")
-                .in("free", provides("take").then("taken"))
-                .in("taken", provides("put").then("free"))
+                .state("free", provides("take").then("taken"))
+                .state("taken", provides("put").then("free"))
                 .build();
         var philosopher = Protocol.of("phil")
-                .in("thinking", requests("left.take").then("has left"))
-                .in("has left", requests("right.take").then("eating"))
-                .in("eating", requests("left.put").then("has right"))
-                .in("has right", requests("right.put").then("thinking"))
+                .state("thinking", requests("left.take").then("has left"))
+                .state("has left", requests("right.take").then("eating"))
+                .state("eating", requests("left.put").then("has right"))
+                .state("has right", requests("right.put").then("thinking"))
                 .build();
         var count = 50;
         var wiring = Wiring.of("nested").component(server.build()).component(user.build());

@@ -31,17 +31,17 @@ public class Arbitrator extends Actor {
         /**
          * Called when a state starts, before its services do.
          *
-         * @param seenBy index of the robot that saw the state's colour; null for the first state
+         * @param seenByIndex Player index, from 0, of the robot that saw the state's colour; null for the first state
          */
-        void stateStarted(State state, @Nullable Integer seenBy);
+        void stateStarted(State state, @Nullable Integer seenByIndex);
 
         /** Called for each message with a colour that arrives, also if it has no effect. */
-        default void colourReceived(int robot, int colour) {}
+        default void colourReceived(int robotIndex, int colour) {}
 
         /**
          * Called after {@link #colourReceived} if the message belongs to a state that has already ended; it is ignored.
          */
-        default void colourTooLate(int robot, int colour) {}
+        default void colourTooLate(int robotIndex, int colour) {}
     }
 
     private final Mode mode;

@@ -9,11 +9,11 @@ import io.troupe.services.behaviour.Velocity;
  * What a provider of robot services on another host does with a robot: the events of a {@link ServiceObserver}, as a
  * value on the topic {@link #TOPIC}. The address of its publisher has the node.
  *
- * @param robot Player index, from 0
+ * @param robotIndex Player index, from 0
  * @param service the name of the service; empty if a colour was sent
  * @param colour {@code 0x00RRGGBB}; 0 unless a colour was sent
  */
-public record DriverReport(int robot, String service, Event event, int colour) {
+public record DriverReport(int robotIndex, String service, Event event, int colour) {
     /** The events of a {@link ServiceObserver}. */
     public enum Event {
         STARTED,
@@ -41,15 +41,15 @@ public record DriverReport(int robot, String service, Event event, int colour) {
     /** Notifies an observer of this report. */
     public void notify(ServiceObserver observer, SubsumptionTable table) {
         if (event == Event.COLOUR_SENT) {
-            observer.colourSent(robot, colour);
+            observer.colourSent(robotIndex, colour);
             return;
         }
         table.service(service).ifPresent(named -> {
             switch (event) {
-                case STARTED -> observer.serviceStarted(robot, named);
-                case CYCLE_ENDED -> observer.cycleEnded(robot, named);
-                case ENDED -> observer.serviceEnded(robot, named);
-                case LEASE_LOST -> observer.leaseLost(robot, named);
+                case STARTED -> observer.serviceStarted(robotIndex, named);
+                case CYCLE_ENDED -> observer.cycleEnded(robotIndex, named);
+                case ENDED -> observer.serviceEnded(robotIndex, named);
+                case LEASE_LOST -> observer.leaseLost(robotIndex, named);
                 case COLOUR_SENT -> {} // above
             }
         });

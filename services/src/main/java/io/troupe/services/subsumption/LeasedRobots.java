@@ -10,6 +10,7 @@ import io.troupe.broker.Need;
 import io.troupe.broker.ServiceCallException;
 import io.troupe.bus.RemoteFailure;
 import io.troupe.player.PlayerException;
+import io.troupe.services.subsumption.RobotServices.ColourReport;
 import io.troupe.services.subsumption.RobotServices.Lease;
 import io.troupe.services.subsumption.RobotServices.Renewal;
 import io.troupe.services.subsumption.RobotServices.ServiceEnd;
@@ -43,16 +44,16 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> A robot never has two services. A service that is called while the robot's previous one is stopping
  * starts when that one has stopped, unless {@link #stop} is called once more before that.
  *
- * <p><b>Units and shapes.</b> Robots by Player index, from 0. Colours are {@code 0x00RRGGBB}.
+ * <p><b>Units and shapes.</b> A {@code robotIndex} is a Player index, from 0. Colours are {@code 0x00RRGGBB}.
  */
 public final class LeasedRobots {
     /** Notified of who drives, over hosts. On the space's thread. */
     public interface Listener {
         /** The provider that drives a robot is gone, and another one is looked for; it is not a change of state. */
-        default void driverLost(int robot, String service, Throwable why) {}
+        default void driverLost(int robotIndex, String service, Throwable why) {}
 
         /** A robot is driven again. */
-        default void drivenAgain(int robot, String service) {}
+        default void drivenAgain(int robotIndex, String service) {}
     }
 
     /** The providers are on other hosts. */
@@ -115,8 +116,8 @@ public final class LeasedRobots {
      *
      * @return fulfilled with the colour that ended the service; empty if it was stopped before its robot saw one
      */
-    public Promise<Optional<Integer>> drive(int robot, String service, int stateColour) {
-        return begin(robot, service, (provider, lease) -> provider.drive(lease, robot, service, stateColour));
+    public Promise<Optional<Integer>> drive(int robotIndex, String service, int stateColour) {
+        return begin(robotIndex, service, (provider, lease) -> provider.drive(lease, robotIndex, service, stateColour));
     }
 
     /**
@@ -124,10 +125,10 @@ public final class LeasedRobots {
      *
      * @return fulfilled when the service has stopped
      */
-    public Promise<?> report(int robot, String service, Consumer<ColourReport> reports) {
-        return begin(robot, service, (provider, lease) -> {
+    public Promise<?> report(int robotIndex, String service, Consumer<ColourReport> reports) {
+        return begin(robotIndex, service, (provider, lease) -> {
             var ofThisProvider = new Callback.Stream<ColourReport>(reports, end -> {}); // the end is that of the call
-            return provider.report(lease, robot, service, ofThisProvider);
+            return provider.report(lease, robotIndex, service, ofThisProvider);
         });
     }
 
@@ -161,8 +162,8 @@ public final class LeasedRobots {
      *
      * @return settled when the service has ended; fulfilled at once if the robot has no service
      */
-    public Promise<@Nullable Void> stop(int robot) {
-        Drive drive = drives.get(robot);
+    public Promise<@Nullable Void> stop(int robotIndex) {
+        Drive drive = drives.get(robotIndex);
         return drive == null ? Promise.done() : drive.stop();
     }
 

@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  *
  * {@snippet :
  * var node = RobotNode.open(bus, space, BrokerObserver.logging(), 0);
- * var robots = RobotServicesActor.Settings.ofThePaper().withPort(port);
+ * var robots = RobotServicesActor.Settings.defaults().withPort(port);
  * var offer = node.offer(driving, robots, List.of("wallFollower", "spaceWanderer"));
  * }
  *

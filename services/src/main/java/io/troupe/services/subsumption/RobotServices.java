@@ -24,7 +24,8 @@ import org.jspecify.annotations.Nullable;
  * starts when the other one has stopped, unless it is stopped before that. A call that is cancelled before it has begun
  * has no effect.
  *
- * <p><b>Units and shapes.</b> Robots by Player index, from 0. Colours are {@code 0x00RRGGBB}.
+ * <p><b>Units and shapes.</b> A {@code robotIndex} is a Player index, from 0; in tables and texts robots are numbered
+ * from 1. Colours are {@code 0x00RRGGBB}.
  *
  * <p><b>Errors.</b> A call is rejected if the robot does not exist, if no state of the table has the service, if it is
  * not offered here, if another holder has a lease that is not over, and if the server disconnects. In one process the
@@ -86,6 +87,15 @@ public interface RobotServices {
     }
 
     /**
+     * The message that a colour finder sends for each colour it sees while its service runs.
+     *
+     * @param robotIndex of the robot that sees the colour
+     * @param colour {@code 0x00RRGGBB}
+     * @param secondsInCharge time since the robot's service started to drive it, on the robot's clock
+     */
+    record ColourReport(int robotIndex, int colour, double secondsInCharge) {}
+
+    /**
      * The answer to a renewal.
      *
      * @param stamp the provider's time now
@@ -104,7 +114,7 @@ public interface RobotServices {
      * @param stateColour the colour of the current state
      * @return fulfilled when the service has stopped
      */
-    Promise<ServiceEnd> drive(Lease lease, int robot, String service, int stateColour);
+    Promise<ServiceEnd> drive(Lease lease, int robotIndex, String service, int stateColour);
 
     /**
      * Runs a service on a robot until {@link #stop}, and sends every colour that the robot sees, also those that lead
@@ -116,10 +126,10 @@ public interface RobotServices {
      *     arbitrator that could stop it.
      * @return fulfilled when the service has stopped
      */
-    Promise<ServiceEnd> report(Lease lease, int robot, String service, Callback<ColourReport> reports);
+    Promise<ServiceEnd> report(Lease lease, int robotIndex, String service, Callback<ColourReport> reports);
 
     /** Extends a lease that is not over. */
-    Promise<Renewal> renew(Lease lease, int robot);
+    Promise<Renewal> renew(Lease lease, int robotIndex);
 
     /**
      * Stops the service that drives a robot by this lease, at once, without waiting for the next reading; the promise
@@ -127,5 +137,5 @@ public interface RobotServices {
      *
      * @return fulfilled when the service has stopped and zero speed has been sent; at once if there is none
      */
-    Promise<@Nullable Void> stop(Lease lease, int robot);
+    Promise<@Nullable Void> stop(Lease lease, int robotIndex);
 }

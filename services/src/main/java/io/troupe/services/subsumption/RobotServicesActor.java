@@ -20,6 +20,7 @@ import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -31,9 +32,9 @@ import org.jspecify.annotations.Nullable;
  * The robot services on a Player server: wall following, space wandering, and all other services of a table.
  *
  * <p><b>Role.</b> Spawn it as {@link RobotServices}, or publish it at a broker. It connects to a robot when the first
- * service for that robot starts. It keeps the connection until it fails. With {@link Settings#reconnects} each service
- * has a separate connection; then the robot stands still from the end of one service until the first reading of the
- * next, which is one tick in lock step.
+ * service for that robot starts. It keeps the connection until it fails. With {@link Settings#withReconnection} each
+ * service has a separate connection; then the robot stands still from the end of one service until the first reading of
+ * the next, which is one tick in lock step.
  *
  * <p>{@link RobotNode} publishes it for callers on other hosts: there a service drives a robot only while its caller
  * renews a lease, so no robot has two drivers, and none goes on when its arbitrator is gone.
@@ -41,40 +42,75 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, sections 3.5 and 3.6.
  */
 public final class RobotServicesActor extends Actor implements RobotServices {
-    /**
-     * Where the robots are, and which table they use.
-     *
-     * @param table the services and colours
-     * @param reconnects whether each service connects to its robot anew and closes that connection when it ends;
-     *     otherwise one connection per robot serves all
-     */
-    public record Settings(
-            String host, int port, SubsumptionTable table, ServiceObserver observer, boolean reconnects) {
-        /** Creates settings with one connection per robot. */
-        public Settings(String host, int port, SubsumptionTable table, ServiceObserver observer) {
-            this(host, port, table, observer, false);
+    /** Where the robots are, and which table they use. */
+    public static final class Settings extends io.troupe.actor.Settings<Settings> {
+        private static final Settings DEFAULTS = new Settings();
+
+        private String host = "localhost";
+        private int port = 6665;
+        private SubsumptionTable table = SubsumptionTable.ofThePaper();
+        private ServiceObserver observer = ServiceObserver.none();
+        private boolean reconnects;
+
+        private Settings() {}
+
+        /** The paper's table, the default port on this machine, one connection per robot, no observer. */
+        public static Settings defaults() {
+            return DEFAULTS;
         }
 
-        /** The paper's settings: its table, and the default port on this machine. */
-        public static Settings ofThePaper() {
-            return new Settings("localhost", 6665, SubsumptionTable.ofThePaper(), ServiceObserver.none());
+        @Override
+        protected void check() {} // a server that is not there is an error of the connection
+
+        /** Where the robots are, with the port: this machine, or that of a Player server. */
+        public Settings withHost(String newHost) {
+            Objects.requireNonNull(newHost, "host");
+            return with(copy -> copy.host = newHost);
         }
 
-        public Settings withObserver(ServiceObserver newObserver) {
-            return new Settings(host, port, table, newObserver, reconnects);
-        }
-
+        /** The port of a world in this JVM or of a Player server. */
         public Settings withPort(int newPort) {
-            return new Settings(host, newPort, table, observer, reconnects);
+            return with(copy -> copy.port = newPort);
         }
 
+        /** The services and colours. */
         public Settings withTable(SubsumptionTable newTable) {
-            return new Settings(host, port, newTable, observer, reconnects);
+            Objects.requireNonNull(newTable, "table");
+            return with(copy -> copy.table = newTable);
         }
 
-        /** Returns settings with or without a separate connection for each service (paper, section 3.5). */
+        /** Is notified of what the services do. */
+        public Settings withObserver(ServiceObserver newObserver) {
+            Objects.requireNonNull(newObserver, "observer");
+            return with(copy -> copy.observer = newObserver);
+        }
+
+        /**
+         * Whether each service connects to its robot anew and closes that connection when it ends (paper, section 3.5);
+         * otherwise one connection per robot serves all.
+         */
         public Settings withReconnection(boolean newReconnects) {
-            return new Settings(host, port, table, observer, newReconnects);
+            return with(copy -> copy.reconnects = newReconnects);
+        }
+
+        public String host() {
+            return host;
+        }
+
+        public int port() {
+            return port;
+        }
+
+        public SubsumptionTable table() {
+            return table;
+        }
+
+        public ServiceObserver observer() {
+            return observer;
+        }
+
+        public boolean reconnects() {
+            return reconnects;
         }
     }
 

@@ -1,5 +1,6 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.common.text.LineSyntax;
 import io.troupe.services.behaviour.Avoid;
 import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.behaviour.GoToGoal;
@@ -47,7 +48,7 @@ public final class ServiceCatalogue {
             boolean usesLaser,
             Function<ServiceArguments, Supplier<Behaviour>> maker) {
         public Kind {
-            if (!name.matches(TableLine.WORD)) {
+            if (!name.matches(LineSyntax.NAME)) {
                 throw new IllegalArgumentException("a kind of service is called '" + name + "', expected a word");
             }
         }

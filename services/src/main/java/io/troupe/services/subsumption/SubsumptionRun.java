@@ -22,6 +22,7 @@ import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicReference;
@@ -58,40 +59,89 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, sections 3.4 to 3.6.
  */
 public final class SubsumptionRun implements AutoCloseable {
-    /**
-     * What to run in this process.
-     *
-     * @param robots where the robots are: a world in this JVM or a Player server; reconnection is not supported in
-     *     synchronous mode, which connects once
-     * @param clock the robots' time
-     * @param round what the synchronous mode does at a reading; ignored in the other modes
-     * @param callObserver observes the calls of the actors, of which the synchronous mode has none; null = none
-     */
-    public record Settings(
-            Mode mode,
-            RobotServicesActor.Settings robots,
-            Clock clock,
-            Arbitrator.StateListener listener,
-            SynchronousRound round,
-            @Nullable CallObserver callObserver) {
-        public Settings {
+    /** What to run in this process. */
+    public static final class Settings extends io.troupe.actor.Settings<Settings> {
+        private static final Settings DEFAULTS = new Settings();
+
+        private Mode mode = Mode.PROMISE;
+        private RobotServicesActor.Settings robots = RobotServicesActor.Settings.defaults();
+        private Clock clock = Clock.system();
+        private Arbitrator.StateListener listener = (state, seenByIndex) -> {};
+        private SynchronousRound round = SynchronousRound.ONE_SERVICE_A_READING;
+        private @Nullable CallObserver callObserver;
+
+        private Settings() {}
+
+        /** Promise mode with the paper's robots on the machine's clock, the paper's synchronous round, no listener. */
+        public static Settings defaults() {
+            return DEFAULTS;
+        }
+
+        @Override
+        protected void check() {
             if (mode == Mode.SYNC && robots.reconnects()) {
                 throw new IllegalArgumentException("the mode is " + mode
                         + " and reconnects, expected callback or promise: the synchronous model connects once");
             }
         }
 
-        /** Creates settings with the paper's synchronous round. */
-        public Settings(Mode mode, RobotServicesActor.Settings robots, Clock clock, Arbitrator.StateListener listener) {
-            this(mode, robots, clock, listener, SynchronousRound.ONE_SERVICE_A_READING, null);
+        /** One of the paper's three modes. */
+        public Settings withMode(Mode newMode) {
+            Objects.requireNonNull(newMode, "mode");
+            return with(copy -> copy.mode = newMode);
         }
 
+        /** Where the robots are; reconnection is not supported in synchronous mode, which connects once. */
+        public Settings withRobots(RobotServicesActor.Settings newRobots) {
+            Objects.requireNonNull(newRobots, "robots");
+            return with(copy -> copy.robots = newRobots);
+        }
+
+        /** The robots' time. */
+        public Settings withClock(Clock newClock) {
+            Objects.requireNonNull(newClock, "clock");
+            return with(copy -> copy.clock = newClock);
+        }
+
+        /** Is notified of every state that starts. */
+        public Settings withListener(Arbitrator.StateListener newListener) {
+            Objects.requireNonNull(newListener, "listener");
+            return with(copy -> copy.listener = newListener);
+        }
+
+        /** What the synchronous mode does at a reading; ignored in the other modes. */
         public Settings withRound(SynchronousRound newRound) {
-            return new Settings(mode, robots, clock, listener, newRound, callObserver);
+            Objects.requireNonNull(newRound, "round");
+            return with(copy -> copy.round = newRound);
         }
 
+        /** Observes the calls of the actors, of which the synchronous mode has none; null = none. */
         public Settings withCallObserver(@Nullable CallObserver newObserver) {
-            return new Settings(mode, robots, clock, listener, round, newObserver);
+            return with(copy -> copy.callObserver = newObserver);
+        }
+
+        public Mode mode() {
+            return mode;
+        }
+
+        public RobotServicesActor.Settings robots() {
+            return robots;
+        }
+
+        public Clock clock() {
+            return clock;
+        }
+
+        public Arbitrator.StateListener listener() {
+            return listener;
+        }
+
+        public SynchronousRound round() {
+            return round;
+        }
+
+        public @Nullable CallObserver callObserver() {
+            return callObserver;
         }
     }
 

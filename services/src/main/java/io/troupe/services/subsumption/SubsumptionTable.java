@@ -62,9 +62,9 @@ public final class SubsumptionTable {
         return forRobots(2)
                 .ignoring(NamedColours.BLACK, "walls and robot 2")
                 .ignoring(NamedColours.ORANGE, "robot 1")
-                .when(NamedColours.BLUE, wallFollower, Service.SPACE_WANDERER)
-                .when(NamedColours.RED, Service.SPACE_WANDERER, wallFollower)
-                .when(NamedColours.GREEN, Service.SPACE_WANDERER, Service.SPACE_WANDERER)
+                .state(NamedColours.BLUE, wallFollower, Service.SPACE_WANDERER)
+                .state(NamedColours.RED, Service.SPACE_WANDERER, wallFollower)
+                .state(NamedColours.GREEN, Service.SPACE_WANDERER, Service.SPACE_WANDERER)
                 .build();
     }
 

@@ -1,5 +1,6 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.common.text.LineSyntax;
 import io.troupe.common.text.NamedColours;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -19,7 +20,7 @@ import java.util.regex.Pattern;
  * the table as a whole is rejected by {@link #build}.
  */
 public final class SubsumptionTableBuilder {
-    private static final Pattern WORD = Pattern.compile(TableLine.WORD);
+    private static final Pattern WORD = Pattern.compile(LineSyntax.NAME);
 
     private final int robots;
     private final List<State> states = new ArrayList<>();
@@ -42,17 +43,17 @@ public final class SubsumptionTableBuilder {
      *
      * @throws IllegalArgumentException if the colour has a state already, or there is not exactly one service per robot
      */
-    public SubsumptionTableBuilder when(int colour, Service... services) {
-        return when(colour, List.of(services));
+    public SubsumptionTableBuilder state(int colour, Service... services) {
+        return state(colour, List.of(services));
     }
 
     /** Adds the next state, with an assignment by ranges of robots. */
-    public SubsumptionTableBuilder when(int colour, Assignment assignment) {
-        return when(colour, assignment.services(robots));
+    public SubsumptionTableBuilder state(int colour, Assignment assignment) {
+        return state(colour, assignment.services(robots));
     }
 
     /** Adds the next state. */
-    public SubsumptionTableBuilder when(int colour, List<Service> services) {
+    public SubsumptionTableBuilder state(int colour, List<Service> services) {
         requireColour(colour);
         if (services.size() != robots) {
             throw new IllegalArgumentException("the state of " + name(colour) + " names " + services.size()
@@ -70,7 +71,7 @@ public final class SubsumptionTableBuilder {
     /**
      * Declares a name for a colour. A declared colour must have a state or be ignored.
      *
-     * @param name a word: a letter, then letters, digits, {@code -} and {@code _}
+     * @param name a word: a letter, then letters, digits, {@code .}, {@code -} and {@code _}
      * @throws IllegalArgumentException if the colour has a name already, or the name a colour
      */
     public SubsumptionTableBuilder colour(String name, int colour) {
@@ -130,7 +131,7 @@ public final class SubsumptionTableBuilder {
      * Sets the minimum duration of each state; only a colour with a higher priority than the state's own ends it
      * earlier.
      */
-    public SubsumptionTableBuilder hold(double seconds) {
+    public SubsumptionTableBuilder holdSeconds(double seconds) {
         if (!(seconds >= 0) || Double.isInfinite(seconds)) {
             throw new IllegalArgumentException("a state is held for " + seconds + " s, expected 0 or more");
         }

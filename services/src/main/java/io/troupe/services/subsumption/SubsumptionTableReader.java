@@ -2,6 +2,7 @@ package io.troupe.services.subsumption;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.common.text.LineSyntax;
 import io.troupe.common.text.NamedColours;
 import io.troupe.common.text.SourceScanner;
 import io.troupe.common.text.Suggestions;
@@ -27,7 +28,7 @@ import java.util.stream.Stream;
 
 /**
  * Reads tables from text files. A line holds one statement; the order of the lines is free, but the first {@code state}
- * is the state in which a run starts. A {@code #} followed by a blank begins a comment.
+ * is the state in which a run starts. A {@code #} begins a comment by the rule of {@link LineSyntax}.
  *
  * {@snippet lang = "text":
  * robots 5
@@ -255,7 +256,7 @@ public final class SubsumptionTableReader {
             if (!millis) {
                 line.expect("s", "or 'ms' after the number");
             }
-            atPosition(line, at, () -> builder.hold(millis ? number / 1000 : number));
+            atPosition(line, at, () -> builder.holdSeconds(millis ? number / 1000 : number));
         }
 
         private void state(TableLine line, SubsumptionTableBuilder builder) {
@@ -269,7 +270,7 @@ public final class SubsumptionTableReader {
             }
             line.expect(":", "before the services");
             Assignment assignment = new AssignmentParser(line, services, robots).read();
-            atPosition(line, at, () -> builder.when(colour, assignment));
+            atPosition(line, at, () -> builder.state(colour, assignment));
         }
 
         private int colourName(TableLine line) {

@@ -61,7 +61,7 @@ final class TableChecks {
         return table.states().isEmpty()
                 ? new Finding(
                         new Subject.Whole(),
-                        "the table has no state, expected one or more: add one with when(..), in a file with 'state COLOUR : SERVICES'")
+                        "the table has no state, expected one or more: add one with state(..), in a file with 'state COLOUR : SERVICES'")
                 : null;
     }
 

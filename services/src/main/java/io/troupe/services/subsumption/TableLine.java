@@ -1,5 +1,6 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.common.text.LineSyntax;
 import io.troupe.common.text.SourcePosition;
 import io.troupe.common.text.SourceScanner;
 import java.nio.file.Path;
@@ -9,14 +10,10 @@ import java.util.regex.Pattern;
 
 /** A tokenizer for one line of a table file. */
 final class TableLine {
-    /** A name: a letter, then letters, digits, {@code -} and {@code _}. */
-    static final String WORD = "\\p{L}[\\p{L}\\p{N}_-]*";
-
     private static final Pattern BLANKS = Pattern.compile("\\s*");
-    private static final Pattern NAME = Pattern.compile(WORD);
+    private static final Pattern NAME = Pattern.compile(LineSyntax.NAME);
     private static final Pattern NUMBER = Pattern.compile("[-+]?(?:\\d+(?:\\.\\d+)?|\\.\\d+)(?:[eE][-+]?\\d+)?");
     private static final Pattern WHOLE = Pattern.compile("[-+]?\\d+");
-    private static final Pattern COLOUR = Pattern.compile("#\\p{XDigit}{6}(?![\\p{L}\\p{N}_-])");
     private static final Pattern NO_COLOUR = Pattern.compile("#\\p{Alnum}+");
     private static final Pattern ANYTHING = Pattern.compile("[\\p{L}\\p{N}_.+-]+|.");
     private static final Pattern REST = Pattern.compile(".*", Pattern.DOTALL);
@@ -33,22 +30,12 @@ final class TableLine {
         scanner.take(BLANKS);
     }
 
-    /**
-     * Returns the start of the comment: the first {@code #} that does not begin a colour. A {@code #} at the start of a
-     * line always begins a comment.
-     */
     private static int commentStart(String line) {
-        Matcher colour = COLOUR.matcher(line);
-        for (int hash = line.indexOf('#'); hash >= 0; hash = line.indexOf('#', hash + 1)) {
-            boolean first = line.substring(0, hash).isBlank();
-            if (first
-                    || !colour.region(hash, line.length())
-                            .useTransparentBounds(true)
-                            .lookingAt()) {
-                return hash;
-            }
+        int at = line.indexOf('#');
+        while (at >= 0 && !LineSyntax.isComment(line, at)) {
+            at = line.indexOf('#', at + 1);
         }
-        return line.length();
+        return at < 0 ? line.length() : at;
     }
 
     boolean atEnd() {
@@ -132,7 +119,7 @@ final class TableLine {
 
     /** Consumes a colour of the form {@code #RRGGBB}, if one comes next. */
     OptionalInt literalColour() {
-        String colour = scanner.peek(COLOUR);
+        String colour = scanner.peek(LineSyntax.COLOUR);
         if (colour.isEmpty()) {
             return OptionalInt.empty();
         }
@@ -159,9 +146,9 @@ final class TableLine {
         if (atEnd()) {
             return "the line ends" + meantAsColour();
         }
-        String colour = scanner.peek(COLOUR);
+        String colour = scanner.peek(LineSyntax.COLOUR);
         if (!colour.isEmpty()) {
-            return "the colour " + colour + " (a comment begins with '#' and a blank)";
+            return "the colour " + colour + " (in a comment a blank follows the '#')";
         }
         String anything = scanner.peek(ANYTHING);
         return "'" + (anything.isEmpty() ? scanner.text().charAt(position()) : anything) + "'";

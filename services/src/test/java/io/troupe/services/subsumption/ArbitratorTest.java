@@ -170,8 +170,8 @@ class ArbitratorTest extends RobotsBench {
     @Test
     void colourThatLeadsNowhere_leavesTheRobotItsService() {
         var table = SubsumptionTable.forRobots(2)
-                .when(BLUE, WF, SW)
-                .when(RED, SW, WF)
+                .state(BLUE, WF, SW)
+                .state(RED, SW, WF)
                 .build();
         begin(Mode.PROMISE, table, published(table));
         robots.show(1, GREEN);
@@ -233,7 +233,8 @@ class ArbitratorTest extends RobotsBench {
 
     @Test
     void blackThatHasAState_leadsToIt() {
-        var table = SubsumptionTable.forRobots(1).when(BLUE, SW).when(BLACK, SW).build();
+        var table =
+                SubsumptionTable.forRobots(1).state(BLUE, SW).state(BLACK, SW).build();
         begin(Mode.CALLBACK, table, published(table));
         robots.tick(100);
         assertThat(states()).containsExactly("1 by null", "2 by 0");

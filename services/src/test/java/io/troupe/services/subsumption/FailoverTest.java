@@ -365,6 +365,27 @@ class FailoverTest extends RobotsBench {
     }
 
     @Test
+    void serviceThatIsCalledWhileTheOneBeforeIsStopping_startsElsewhere_whenThatOneHasStopped() {
+        offer("a", List.of("wallFollower"));
+        offer("b", List.of("spaceWanderer"));
+        LeasedRobots services = leased();
+        call(() -> services.drive(0, "wallFollower", BLUE));
+        seconds(1);
+        pipe.lose("a");
+        test.run(() -> {
+            services.stop(0);
+            services.drive(0, "spaceWanderer", BLUE);
+        });
+        seconds(1);
+        assertThat(drivers).as("a may still drive").containsExactly("a 1 starts");
+        seconds(2);
+        assertThat(drivers).containsExactly("a 1 starts", "a 1 loses", "a 1 ends", "b 1 starts");
+        test.get(call(() -> services.stop(0)));
+        pipe.loseNoMore("a"); // else its broker cannot be closed
+        seconds(4);
+    }
+
+    @Test
     void robotThatIsDriven_isNotDrivenTwice_andAnUnknownServiceIsRefused() {
         offer("a", BOTH);
         LeasedRobots services = leased();
@@ -411,6 +432,7 @@ class FailoverTest extends RobotsBench {
         assertThat(test.get(drive(provider, new Lease(1, 1, stamp)))).isEqualTo(ServiceEnd.LOST);
         var ofAnother = new Stamp(stamp.provider() + 1, stamp.nanos() + 2_100_000_000L);
         assertThat(test.get(drive(provider, new Lease(1, 1, ofAnother)))).isEqualTo(ServiceEnd.LOST);
+        assertThat(test.get(drive(provider, new Lease(1, 1, Stamp.NONE)))).isEqualTo(ServiceEnd.LOST);
         assertThat(drivers).isEmpty();
     }
 

@@ -46,7 +46,7 @@ class HostedSamplesTest {
         @Override
         public void reported(DriverReport report, String node) {
             if (report.event() == DriverReport.Event.STARTED) {
-                states.add(node + " " + report.robot() + " " + report.service());
+                states.add(node + " " + report.robotIndex() + " " + report.service());
                 driven.countDown();
             }
         }
@@ -69,7 +69,7 @@ class HostedSamplesTest {
     @Test
     void node_offersServices_andRunsTheArbitrator() throws Exception {
         var node = RobotNode.open(bus, space, BrokerObserver.logging(), 0);
-        var robots = RobotServicesActor.Settings.ofThePaper().withPort(port);
+        var robots = RobotServicesActor.Settings.defaults().withPort(port);
         var offer = node.offer(driving, robots, List.of("wallFollower", "spaceWanderer"));
         offer.published().get(Duration.ofMinutes(1));
         long beginNanos = System.nanoTime();
@@ -92,7 +92,7 @@ class HostedSamplesTest {
         var hosts = new HostsPipe(space);
         var settings = BusSettings.on(space).withObserver(loss -> {});
         List<String> both = List.of("wallFollower", "spaceWanderer");
-        var robots = RobotServicesActor.Settings.ofThePaper().withPort(port);
+        var robots = RobotServicesActor.Settings.defaults().withPort(port);
         try (var arbitrator = hosts.open("arbitrator", settings);
                 var early = hosts.open("a", settings);
                 var late = hosts.open("b", settings);

@@ -62,7 +62,7 @@ class RandomSubsumptionTableTest {
         lines.add("service patrol = goToGoal( 1 , 2.0 ;again) colours");
         lines.add("service dodge=avoid( near .3 )");
         int holdMillis = random.nextInt(3) * random.nextInt(2000);
-        builder.hold(holdMillis / 1000.0).service(PATROL).service(DODGE);
+        builder.holdSeconds(holdMillis / 1000.0).service(PATROL).service(DODGE);
         lines.add("hold " + (random.nextBoolean() ? holdMillis + "ms" : holdMillis / 1000.0 + " s"));
         int ignored = colours.get(states);
         builder.ignoring(ignored, "for a reason");
@@ -76,7 +76,7 @@ class RandomSubsumptionTableTest {
             if (state == 0) {
                 services.set(random.nextInt(robots), DODGE.over(PATROL));
             }
-            builder.when(colour, services);
+            builder.state(colour, services);
             String priority = "";
             if (random.nextBoolean()) {
                 int value = random.nextInt(7) == 0 ? Integer.MIN_VALUE : random.nextInt(-2, 3);
@@ -225,7 +225,7 @@ class RandomSubsumptionTableTest {
         services.add(services.get(2).over(services.get(4)));
         var builder = SubsumptionTable.forRobots(robots).allowFinal();
         if (random.nextBoolean()) {
-            builder.hold(random.nextInt(5) / 4.0);
+            builder.holdSeconds(random.nextInt(5) / 4.0);
         }
         var colours = random.ints(0, 0x1000000).distinct().limit(6).boxed().toList();
         builder.colour("own", colours.get(0)).colour("red", colours.get(1)).ignoring(colours.get(2), "a wall: yes");
@@ -235,7 +235,7 @@ class RandomSubsumptionTableTest {
             while (inCharge.size() < robots) {
                 inCharge.add(services.get(random.nextInt(services.size())));
             }
-            builder.when(colour, inCharge);
+            builder.state(colour, inCharge);
             if (random.nextInt(3) == 0) {
                 builder.priority(colour, random.nextInt(7) - 3);
             }

@@ -22,7 +22,9 @@ import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.LaserScan;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.subsumption.RobotServices.ColourReport;
 import io.troupe.services.subsumption.RobotServices.Lease;
+import io.troupe.services.subsumption.RobotServices.Renewal;
 import io.troupe.services.subsumption.RobotServices.ServiceEnd;
 import io.troupe.services.subsumption.RobotServices.Stamp;
 import java.nio.file.Path;
@@ -267,11 +269,11 @@ class RobotServicesTest extends RobotsBench {
     @Test
     void wanderer_followsThePrioritiesAndTheHoldTimeOfItsTable_alsoWhenTheClockIsSetBack() {
         use(SubsumptionTable.forRobots(2)
-                .when(BLUE, SW, SW)
-                .when(RED, SW, SW)
-                .when(GREEN, SW, SW)
+                .state(BLUE, SW, SW)
+                .state(RED, SW, SW)
+                .state(GREEN, SW, SW)
                 .priority(GREEN, -1)
-                .hold(0.35)
+                .holdSeconds(0.35)
                 .build());
         var end = drive(0, SW, BLUE);
         robots.show(0, GREEN, RED); // green has the larger blob
@@ -386,6 +388,47 @@ class RobotServicesTest extends RobotsBench {
         assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD, STOP);
         drive(0, SW, BLUE);
         assertThat(robots.lastCommand(0)).isEqualTo(WANDERER_AHEAD);
+    }
+
+    @Test
+    void otherCaller_isRefused_whileTheFirstOneHasTheRobot() {
+        wallFollower(0);
+        var other = new Lease(1, 1, Stamp.NONE);
+        assertThat(test.error(services.drive(other, 0, SW.name(), BLUE)))
+                .isExactlyInstanceOf(PlayerException.class)
+                .hasMessageContaining("robot 1 is driven for another arbitrator");
+        test.get(services.stop(other, 0));
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
+        test.get(stop(0));
+        services.drive(other, 0, SW.name(), BLUE);
+        test.runQueued();
+        assertThat(robots.lastCommand(0)).isEqualTo(WANDERER_AHEAD);
+    }
+
+    @Test
+    void leaseThatWaits_untilTheServiceBeforeHasStopped_isHeld_andCanBeStopped() {
+        var actors = new ArrayList<RobotServicesActor>();
+        test.spawn(RobotServices.class, () -> {
+                    actors.add(new RobotServicesActor(settings(SubsumptionTable.ofThePaper())));
+                    return actors.getFirst();
+                })
+                .drive(lease(1), 0, WF.name(), BLUE);
+        test.runQueued();
+        robots.tick(100);
+        var held = new ArrayList<Promise<Renewal>>();
+        var ends = new ArrayList<Promise<ServiceEnd>>();
+        test.run(
+                () -> { // in one turn, in which the first service cannot end
+                    RobotServicesActor provider = actors.getFirst();
+                    ends.add(provider.drive(lease(2), 0, SW.name(), BLUE));
+                    held.add(provider.renew(lease(1), 0));
+                    held.add(provider.renew(lease(2), 0));
+                    provider.stop(lease(2), 0);
+                });
+        assertThat(held).extracting(each -> test.get(each).held()).containsExactly(false, true);
+        assertThat(test.get(ends.getFirst())).isEqualTo(new ServiceEnd(Optional.empty(), false));
+        assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD, STOP);
     }
 
     @Test

@@ -133,7 +133,7 @@ abstract class RobotsBench {
     }
 
     RobotServicesActor.Settings settings(SubsumptionTable table) {
-        return RobotServicesActor.Settings.ofThePaper()
+        return RobotServicesActor.Settings.defaults()
                 .withPort(FakeRobots.PORT)
                 .withTable(table)
                 .withObserver(charge);
@@ -166,13 +166,17 @@ abstract class RobotsBench {
     }
 
     SubsumptionRun.Settings run(Mode mode, int port, SubsumptionTable table) {
-        return new SubsumptionRun.Settings(mode, settings(table).withPort(port), Clock.system(), new Events());
+        return SubsumptionRun.Settings.defaults()
+                .withMode(mode)
+                .withRobots(settings(table).withPort(port))
+                .withClock(Clock.system())
+                .withListener(new Events());
     }
 
     /** A table of one state. */
     static SubsumptionTable table(Service... services) {
         return SubsumptionTable.forRobots(services.length)
-                .when(NamedColours.BLUE, services)
+                .state(NamedColours.BLUE, services)
                 .allowFinal()
                 .build();
     }

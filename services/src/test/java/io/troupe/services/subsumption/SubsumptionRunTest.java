@@ -281,7 +281,11 @@ class SubsumptionRunTest extends RobotsBench {
                 .isInstanceOf(PlayerException.class)
                 .hasMessageContaining("7001");
         var anew = settings.robots().withReconnection(true);
-        assertThatThrownBy(() -> new SubsumptionRun.Settings(Mode.SYNC, anew, Clock.system(), settings.listener()))
+        assertThatThrownBy(() -> SubsumptionRun.Settings.defaults()
+                        .withMode(Mode.SYNC)
+                        .withRobots(anew)
+                        .withClock(Clock.system())
+                        .withListener(settings.listener()))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContainingAll("sync", "connects once");
     }

@@ -100,7 +100,7 @@ class SubsumptionTableReaderTest {
         var assignment = Assignment.everyRobot(Service.SPACE_WANDERER)
                 .robots(3, 5, Service.WALL_FOLLOWER)
                 .robot(50, Service.WALL_FOLLOWER);
-        var table = SubsumptionTable.forRobots(50).when(0xFFFF00, assignment).build();
+        var table = SubsumptionTable.forRobots(50).state(0xFFFF00, assignment).build();
         assertThat(SubsumptionTableWriter.write(table))
                 .isEqualTo("robots 50\nstate yellow : * = spaceWanderer, 3..5 = wallFollower, 50 = wallFollower\n");
     }
@@ -118,7 +118,7 @@ class SubsumptionTableReaderTest {
         assertThatThrownBy(() -> catalogue.with(spin)).hasMessageContaining("spin already");
         var own = new Service("own", true, () -> senses -> Optional.empty());
         var unwritten =
-                SubsumptionTable.forRobots(1).when(NamedColours.RED, own).build();
+                SubsumptionTable.forRobots(1).state(NamedColours.RED, own).build();
         assertThatThrownBy(() -> SubsumptionTableWriter.write(unwritten))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("the service own cannot be written");
@@ -171,7 +171,7 @@ class SubsumptionTableReaderTest {
                 "robots 1/state red : wallfollower | 2:13: there is no service called 'wallfollower', expected one of: wallFollower, spaceWanderer, goToGoal, avoid (did you mean 'wallFollower'?)",
                 "robots 1/state red : goToGoal | 2:13: goToGoal: a way of 0 goals, expected 1 or more",
                 "robots 1/state red : avoid(near 1) | 2:18: arguments of avoid, expected them where it gets a name: 'service NAME = KIND(..)'",
-                "robots 1/state red : spaceWanderer #decade | 2:27: the colour #decade (a comment begins with '#' and a blank), expected ',', '>' or the end of the line",
+                "robots 1/state red : spaceWanderer #decade | 2:27: the colour #decade (in a comment a blank follows the '#'), expected ',', '>' or the end of the line",
                 "robots 1/state #12345 : avoid | 2:6: the line ends at the comment '#12345' (a colour is #RRGGBB), expected a colour",
                 "robots 1/state # no colour | 2:6: the line ends, expected a colour",
                 "robots 2/state red : spaceWanderer | 2:26: the line ends, expected ',' and the service of robot 2 of 2",

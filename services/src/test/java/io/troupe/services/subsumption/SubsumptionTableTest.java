@@ -26,11 +26,11 @@ class SubsumptionTableTest {
     }
 
     private static SubsumptionTableBuilder one() {
-        return robots(1).when(BLUE, SW);
+        return robots(1).state(BLUE, SW);
     }
 
     private static SubsumptionTableBuilder three() {
-        return one().when(RED, SW).when(GREEN, SW);
+        return one().state(RED, SW).state(GREEN, SW);
     }
 
     @Test
@@ -55,22 +55,22 @@ class SubsumptionTableTest {
 
     @Test
     void stateThatNeverEnds_isRefusedWhenItCanBeReached() {
-        var builder = robots(2).when(BLUE, WF, SW).when(RED, WF, WF);
+        var builder = robots(2).state(BLUE, WF, SW).state(RED, WF, WF);
         assertThatThrownBy(builder::build)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContainingAll("state 2 (red)", "allowFinal()");
         assertThat(builder.allowFinal().build().state(RED)).isPresent();
-        assertThatThrownBy(robots(1).when(BLUE, WF).when(RED, WF)::build)
+        assertThatThrownBy(robots(1).state(BLUE, WF).state(RED, WF)::build)
                 .as("the first is the only one that counts")
                 .hasMessageContaining("state 1 (blue) can be reached");
-        var table = robots(1).allowFinal().when(BLUE, WF).build();
+        var table = robots(1).allowFinal().state(BLUE, WF).build();
         assertThat(table.first().canEnd()).isFalse();
     }
 
     @Test
     void wrongNumbersOfServicesAndRobots_areRefused() {
         var builder = robots(2);
-        assertThatThrownBy(() -> builder.when(RED, SW))
+        assertThatThrownBy(() -> builder.state(RED, SW))
                 .hasMessage("the state of red names 1 services, expected one for each of 2 robots");
         assertThatThrownBy(() -> robots(0)).hasMessageContaining("expected 1 or more");
         assertThatThrownBy(robots(1)::build).hasMessageContaining("no state");
@@ -96,13 +96,13 @@ class SubsumptionTableTest {
     @Test
     void twoServicesOfOneName_areRefused_unlessTheyAreEqual() {
         var backward = Service.wallFollower(CornerStyle.BACKWARD);
-        assertThatThrownBy(robots(3).when(RED, WF, SW, backward)::build)
+        assertThatThrownBy(robots(3).state(RED, WF, SW, backward)::build)
                 .hasMessageStartingWith("two different services are called wallFollower");
         var again = Service.wallFollower(CornerStyle.FORWARD);
-        assertThat(robots(3).when(RED, WF, SW, again).build().services()).containsExactly(WF, SW);
+        assertThat(robots(3).state(RED, WF, SW, again).build().services()).containsExactly(WF, SW);
         var avoid = new Service("avoid", false, () -> senses -> Optional.empty());
         var layers = new Service("avoid > spaceWanderer", true, SpaceWanderer::behaviour);
-        assertThatThrownBy(robots(2).when(BLUE, avoid.over(SW), layers)::build)
+        assertThatThrownBy(robots(2).state(BLUE, avoid.over(SW), layers)::build)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageStartingWith("two different services are called avoid > spaceWanderer");
     }
@@ -118,7 +118,7 @@ class SubsumptionTableTest {
     @Test
     void layers_areOneServiceWhereverTheyAreMade() {
         Service avoid = SubsumptionTableReader.service("avoid = avoid", ServiceCatalogue.standard());
-        var table = robots(2).when(RED, avoid.over(SW), avoid.over(SW)).build();
+        var table = robots(2).state(RED, avoid.over(SW), avoid.over(SW)).build();
         assertThat(table.services()).containsExactly(avoid.over(SW));
     }
 
@@ -133,7 +133,7 @@ class SubsumptionTableTest {
 
     @Test
     void heldState_endsEarlyForAColourOfHigherPriorityOnly() {
-        var table = three().hold(2).priority(GREEN, 1).build();
+        var table = three().holdSeconds(2).priority(GREEN, 1).build();
         State blue = table.first();
         assertThat(table.next(blue, RED, 1.9)).isEmpty();
         assertThat(table.next(blue, RED, 2)).map(State::colour).hasValue(RED);
@@ -142,9 +142,9 @@ class SubsumptionTableTest {
         var both = List.of(blob(RED, 500, 0), blob(GREEN, 20, 0), blob(BLACK, 900, 0));
         assertThat(table.ruleIn(blue).pick(both, 5)).hasValue(GREEN);
         assertThat(table.ruleIn(blue).pick(both.subList(0, 1), 1)).isEmpty();
-        assertThatThrownBy(() -> robots(1).hold(Double.NaN)).hasMessageContaining("expected 0 or more");
-        var minus = one().hold(-0.0).allowFinal().build();
-        var plus = one().hold(0.0).allowFinal().build();
+        assertThatThrownBy(() -> robots(1).holdSeconds(Double.NaN)).hasMessageContaining("expected 0 or more");
+        var minus = one().holdSeconds(-0.0).allowFinal().build();
+        var plus = one().holdSeconds(0.0).allowFinal().build();
         assertThat(minus).isEqualTo(plus).hasSameHashCodeAs(plus);
     }
 

@@ -124,8 +124,10 @@ public final class RobotsMain {
     // ---- the provider
 
     private void offer(String[] world) throws Exception {
-        var settings = new RobotServicesActor.Settings(
-                world[0], Integer.parseInt(world[1]), SubsumptionTable.ofThePaper(), new Commands());
+        var settings = RobotServicesActor.Settings.defaults()
+                .withHost(world[0])
+                .withPort(Integer.parseInt(world[1]))
+                .withObserver(new Commands());
         var offer = node.offer(space("driving"), settings, List.of("wallFollower", "spaceWanderer"));
         offer.published().get(WITHDRAW_LIMIT);
         System.out.println("ready");

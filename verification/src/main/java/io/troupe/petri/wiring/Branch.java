@@ -9,7 +9,7 @@ import java.util.Set;
  * A branch, that is a way out of a state of a {@link Protocol}: a step, and the state after it.
  *
  * <p><b>Role.</b> Made by the static methods of {@link Protocol}, for example {@link Protocol#does}; argument of
- * {@link ProtocolBuilder#in}.
+ * {@link ProtocolBuilder#state}.
  *
  * <p><b>Threads.</b> Immutable.
  *

@@ -20,42 +20,45 @@ public final class PaperWiring {
 
     public static Protocol robot() {
         return Protocol.of("robot")
-                .in("off", does("start").then("started"))
-                .in("started", requests("player.getProxies").then("driving"))
-                .in("driving", does("read sensors").then("sensed"))
-                .in("sensed", requests("player.setValues").then("set"))
-                .in("set", does("go on").then("driving"), does("decide to stop").then("leaving"))
-                .in("leaving", stops())
+                .state("off", does("start").then("started"))
+                .state("started", requests("player.getProxies").then("driving"))
+                .state("driving", does("read sensors").then("sensed"))
+                .state("sensed", requests("player.setValues").then("set"))
+                .state(
+                        "set",
+                        does("go on").then("driving"),
+                        does("decide to stop").then("leaving"))
+                .state("leaving", stops())
                 .build();
     }
 
     public static Protocol player() {
         return Protocol.of("player")
-                .in("idle", provides("getProxies").then("ready"))
-                .in("ready", provides("setValues").then("loaded"), stops())
-                .in("loaded", requests("middleware.receive").then("ready"))
+                .state("idle", provides("getProxies").then("ready"))
+                .state("ready", provides("setValues").then("loaded"), stops())
+                .state("loaded", requests("middleware.receive").then("ready"))
                 .build();
     }
 
     public static Protocol middleware() {
         return Protocol.of("middleware")
-                .in("idle", provides("register").then("ready"))
-                .in("ready", provides("receive").then("loaded"), stops())
-                .in("loaded", requests("service.receive").then("ready"))
+                .state("idle", provides("register").then("ready"))
+                .state("ready", provides("receive").then("loaded"), stops())
+                .state("loaded", requests("service.receive").then("ready"))
                 .build();
     }
 
     public static Protocol service() {
         return Protocol.of("service")
-                .in("idle", requests("middleware.register").then("registered"))
-                .in("registered", does("get ready").then("ready"), stops())
-                .in("ready", provides("receive").then("decides"))
-                .in(
+                .state("idle", requests("middleware.register").then("registered"))
+                .state("registered", does("get ready").then("ready"), stops())
+                .state("ready", provides("receive").then("decides"))
+                .state(
                         "decides",
                         does("choose wall follower").then("following"),
                         does("choose wanderer").then("wandering"))
-                .in("following", does("follow the wall").then("registered"))
-                .in("wandering", does("wander").then("registered"))
+                .state("following", does("follow the wall").then("registered"))
+                .state("wandering", does("wander").then("registered"))
                 .build();
     }
 

@@ -19,11 +19,11 @@ import java.util.stream.Stream;
  *
  * {@snippet :
  * var client = Protocol.of("client")
- *         .in("idle", does("look").then("informed"))
- *         .in("informed", requests("planner.plan").then("idle"), stops())
+ *         .state("idle", does("look").then("informed"))
+ *         .state("informed", requests("planner.plan").then("idle"), stops())
  *         .build();
  * var planner = Protocol.of("planner")
- *         .in("ready", provides("plan").then("ready"))
+ *         .state("ready", provides("plan").then("ready"))
  *         .build();
  * }
  *

@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 /**
  * Collects the states of a {@link Protocol}.
  *
- * <p><b>Role.</b> From {@link Protocol#of}; continue with {@link #in}.
+ * <p><b>Role.</b> From {@link Protocol#of}; continue with {@link #state}.
  *
  * <p><b>Threads.</b> Not thread-safe.
  *
@@ -38,9 +38,9 @@ public final class ProtocolBuilder {
     /**
      * Declares a state and the ways out of it: one way is the next step, several are a choice.
      *
-     * <p>For example {@code in("ready", provides("setValues").then("loaded"), stops())}.
+     * <p>For example {@code state("ready", provides("setValues").then("loaded"), stops())}.
      */
-    public ProtocolBuilder in(String state, Branch... branches) {
+    public ProtocolBuilder state(String state, Branch... branches) {
         requireReadable("state", state);
         require(!states.contains(state), "state " + state + " is declared twice");
         require(branches.length > 0, "nothing leads out of state " + state + "; expected a step or a stop");

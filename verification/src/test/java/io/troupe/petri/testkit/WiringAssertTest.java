@@ -18,13 +18,13 @@ import org.junit.jupiter.api.Test;
 class WiringAssertTest {
     private static Protocol client() {
         return Protocol.of("client")
-                .in("idle", requests("planner.plan").then("idle"))
+                .state("idle", requests("planner.plan").then("idle"))
                 .build();
     }
 
     private static Protocol planner() {
         return Protocol.of("planner")
-                .in("ready", provides("plan").then("ready"))
+                .state("ready", provides("plan").then("ready"))
                 .build();
     }
 
@@ -36,10 +36,10 @@ class WiringAssertTest {
 
     private static Protocol holder(String name, String first, String second) {
         return Protocol.of(name)
-                .in("idle", acquires(first).then("begun"))
-                .in("begun", acquires(second).then("working"))
-                .in("working", releases(first).then("done"))
-                .in("done", releases(second).then("idle"))
+                .state("idle", acquires(first).then("begun"))
+                .state("begun", acquires(second).then("working"))
+                .state("working", releases(first).then("done"))
+                .state("done", releases(second).then("idle"))
                 .build();
     }
 
@@ -69,8 +69,9 @@ class WiringAssertTest {
 
     @Test
     void componentsThatWaitWhileAnotherGoesOn_failOnlyTheStrongerAssertion() {
-        var clock =
-                Protocol.of("clock").in("ticking", does("tick").then("ticking")).build();
+        var clock = Protocol.of("clock")
+                .state("ticking", does("tick").then("ticking"))
+                .build();
         var wiring = hands().component(clock).build();
         assertThat(wiring).neverStopsAsAWhole();
         assertThatThrownBy(() -> assertThat(wiring).cannotDeadlock())

@@ -41,16 +41,20 @@ class DeclarationsTest {
 
     private static WiringBuilder server(boolean answersWhileBusy) {
         var server = Protocol.of("server")
-                .in("ready", provides("start").then("busy"), provides("status").then("ready"));
+                .state(
+                        "ready",
+                        provides("start").then("busy"),
+                        provides("status").then("ready"));
         if (answersWhileBusy) {
-            server.in("busy", provides("done").then("ready"), provides("status").then("busy"));
+            server.state(
+                    "busy", provides("done").then("ready"), provides("status").then("busy"));
         } else {
-            server.in("busy", provides("done").then("ready"));
+            server.state("busy", provides("done").then("ready"));
         }
         var worker = Protocol.of("worker")
-                .in("idle", requests("server.start").then("working"))
-                .in("working", requests("server.status").then("finishing"))
-                .in("finishing", requests("server.done").then("idle"));
+                .state("idle", requests("server.start").then("working"))
+                .state("working", requests("server.status").then("finishing"))
+                .state("finishing", requests("server.done").then("idle"));
         return Wiring.of("status").component(server.build()).component(worker.build());
     }
 
@@ -67,29 +71,29 @@ class DeclarationsTest {
 
     private static WiringBuilder pictures(boolean waits) {
         var camera = Protocol.of("camera")
-                .in(
+                .state(
                         "idle",
                         does("take a picture").then("holding"),
                         provides("pause").then("idle"));
         if (waits) {
-            camera.in("holding", requests("store.keep").then("idle"));
+            camera.state("holding", requests("store.keep").then("idle"));
         } else {
-            camera.in(
+            camera.state(
                             "holding",
                             asks("store.keep").then("waiting"),
                             provides("pause").then("holding"))
-                    .in(
+                    .state(
                             "waiting",
                             answered("store.keep").then("idle"),
                             provides("pause").then("waiting"));
         }
         var store = Protocol.of("store")
-                .in("open", provides("keep").then("checking"))
-                .in(
+                .state("open", provides("keep").then("checking"))
+                .state(
                         "checking",
                         does("find room").then("open"),
                         does("find none").then("full"))
-                .in("full", requests("camera.pause").then("open"));
+                .state("full", requests("camera.pause").then("open"));
         return Wiring.of("pictures").component(camera.build()).component(store.build());
     }
 
@@ -104,10 +108,13 @@ class DeclarationsTest {
 
     private static WiringBuilder ring(boolean timesOut) {
         var patient = Protocol.of("node")
-                .in("idle", requests("next.take").then("idle"), provides("take").then("idle"))
+                .state(
+                        "idle",
+                        requests("next.take").then("idle"),
+                        provides("take").then("idle"))
                 .build();
         var impatient = Protocol.of("node")
-                .in(
+                .state(
                         "idle",
                         requests("next.take").then("idle").orTimeout("idle"),
                         provides("take").then("idle"))
@@ -125,20 +132,20 @@ class DeclarationsTest {
 
     static WiringBuilder late(boolean givesUp) {
         var forgetful = Protocol.of("client")
-                .in("idle", asks("planner.plan").then("waiting"))
-                .in(
+                .state("idle", asks("planner.plan").then("waiting"))
+                .state(
                         "waiting",
                         answered("planner.plan").then("idle"),
                         does("time out").then("idle"))
                 .build();
         var tidy = Protocol.of("client")
-                .in("idle", asks("planner.plan").then("waiting"))
-                .in(
+                .state("idle", asks("planner.plan").then("waiting"))
+                .state(
                         "waiting",
                         answered("planner.plan").then("idle"),
                         cancels("planner.plan").then("idle"))
                 .build();
-        var planner = Protocol.of("planner").in("ready", provides("plan").then("ready"));
+        var planner = Protocol.of("planner").state("ready", provides("plan").then("ready"));
         return Wiring.of("late").component(givesUp ? tidy : forgetful).component(planner.build());
     }
 
@@ -155,10 +162,10 @@ class DeclarationsTest {
 
     static WiringBuilder mail(int capacity, Overflow overflow) {
         var node = Protocol.of("node")
-                .in("first", sends("other.note").then("second"))
-                .in("second", sends("other.note").then("reading"))
-                .in("reading", receives("note").then("reading on"))
-                .in("reading on", receives("note").then("first"))
+                .state("first", sends("other.note").then("second"))
+                .state("second", sends("other.note").then("reading"))
+                .state("reading", receives("note").then("reading on"))
+                .state("reading on", receives("note").then("first"))
                 .build();
         return Wiring.of("mail")
                 .components("node", 2, node)
@@ -184,19 +191,20 @@ class DeclarationsTest {
 
     private static WiringBuilder orders(boolean ignoresStop) {
         var boss = Protocol.of("boss")
-                .in(
+                .state(
                         "calm",
                         sends("worker.go").then("waiting"),
                         sends("worker.stop").then("calm"))
-                .in("waiting", receives("done").then("calm"));
+                .state("waiting", receives("done").then("calm"));
         var worker = Protocol.of("worker");
         if (ignoresStop) {
-            worker.in("idle", receives("go").then("working"), receives("stop").then("idle"));
+            worker.state(
+                    "idle", receives("go").then("working"), receives("stop").then("idle"));
         } else {
-            worker.in("idle", receives("go").then("working"));
+            worker.state("idle", receives("go").then("working"));
         }
-        worker.in("working", does("drive").then("driving"), receives("stop").then("idle"))
-                .in("driving", sends("boss.done").then("idle"));
+        worker.state("working", does("drive").then("driving"), receives("stop").then("idle"))
+                .state("driving", sends("boss.done").then("idle"));
         return Wiring.of("orders")
                 .component(boss.build())
                 .component(worker.build())
@@ -217,18 +225,18 @@ class DeclarationsTest {
 
     static WiringBuilder frames(int window) {
         var camera = Protocol.of("camera")
-                .in("idle", streams("frames").then("one"), provides("adjust").then("idle"))
-                .in("one", emits("frames").then("two"))
-                .in("two", emits("frames").then("three"))
-                .in("three", emits("frames").then("over"))
-                .in("over", finishes("frames").then("idle"));
+                .state("idle", streams("frames").then("one"), provides("adjust").then("idle"))
+                .state("one", emits("frames").then("two"))
+                .state("two", emits("frames").then("three"))
+                .state("three", emits("frames").then("over"))
+                .state("over", finishes("frames").then("idle"));
         var viewer = Protocol.of("viewer")
-                .in("dark", asks("camera.frames").then("watching"))
-                .in(
+                .state("dark", asks("camera.frames").then("watching"))
+                .state(
                         "watching",
                         answered("camera.frames").then("adjusting"),
                         finished("camera.frames").then("dark"))
-                .in("adjusting", requests("camera.adjust").then("watching"));
+                .state("adjusting", requests("camera.adjust").then("watching"));
         return Wiring.of("frames")
                 .component(viewer.build())
                 .component(camera.build())
@@ -248,11 +256,11 @@ class DeclarationsTest {
     @Test
     void stream_thatIsCancelled_isFreeForTheNext() {
         var camera = Protocol.of("camera")
-                .in("idle", streams("frames").then("on"))
-                .in("on", emits("frames").then("on"), finishes("frames").then("idle"));
+                .state("idle", streams("frames").then("on"))
+                .state("on", emits("frames").then("on"), finishes("frames").then("idle"));
         var viewer = Protocol.of("viewer")
-                .in("dark", asks("camera.frames").then("watching"))
-                .in(
+                .state("dark", asks("camera.frames").then("watching"))
+                .state(
                         "watching",
                         answered("camera.frames").then("watching"),
                         finished("camera.frames").then("dark"),
@@ -267,15 +275,15 @@ class DeclarationsTest {
 
     static WiringBuilder hands(String first, String second) {
         var robot = Protocol.of("robot")
-                .in("idle", acquires("arm").then("armed"))
-                .in("armed", acquires("camera").then("working"))
-                .in("working", releases("camera").then("done"))
-                .in("done", releases("arm").then("idle"));
+                .state("idle", acquires("arm").then("armed"))
+                .state("armed", acquires("camera").then("working"))
+                .state("working", releases("camera").then("done"))
+                .state("done", releases("arm").then("idle"));
         var other = Protocol.of("other")
-                .in("idle", acquires(first).then("begun"))
-                .in("begun", acquires(second).then("working"))
-                .in("working", releases(first).then("done"))
-                .in("done", releases(second).then("idle"));
+                .state("idle", acquires(first).then("begun"))
+                .state("begun", acquires(second).then("working"))
+                .state("working", releases(first).then("done"))
+                .state("done", releases(second).then("idle"));
         return Wiring.of("hands")
                 .component(robot.build())
                 .component(other.build())
@@ -294,10 +302,10 @@ class DeclarationsTest {
 
     static WiringBuilder table(int seats, boolean isLastLeftHanded) {
         var philosopher = Protocol.of("phil")
-                .in("thinking", acquires("left").then("hungry"))
-                .in("hungry", acquires("right").then("eating"))
-                .in("eating", releases("left").then("full"))
-                .in("full", releases("right").then("thinking"))
+                .state("thinking", acquires("left").then("hungry"))
+                .state("hungry", acquires("right").then("eating"))
+                .state("eating", releases("left").then("full"))
+                .state("full", releases("right").then("thinking"))
                 .build();
         return Wiring.of("table")
                 .components("phil", seats, philosopher)
@@ -318,16 +326,17 @@ class DeclarationsTest {
     // ---- failures and restarts
 
     static WiringBuilder work(boolean isPatient) {
-        var boss = Protocol.of("boss").in("calm", sends("worker.go").then("waiting"));
+        var boss = Protocol.of("boss").state("calm", sends("worker.go").then("waiting"));
         if (isPatient) {
-            boss.in("waiting", receives("done").then("calm"));
+            boss.state("waiting", receives("done").then("calm"));
         } else {
-            boss.in("waiting", receives("done").then("calm"), does("time out").then("calm"));
+            boss.state(
+                    "waiting", receives("done").then("calm"), does("time out").then("calm"));
         }
         var worker = Protocol.of("worker")
-                .in("idle", receives("go").then("working"))
-                .in("working", sends("boss.done").then("idle"))
-                .in("down", does("restart").then("idle"))
+                .state("idle", receives("go").then("working"))
+                .state("working", sends("boss.done").then("idle"))
+                .state("down", does("restart").then("idle"))
                 .failsTo("down");
         return Wiring.of("work")
                 .component(boss.build())
@@ -348,15 +357,16 @@ class DeclarationsTest {
 
     static WiringBuilder plans(boolean takesRejection) {
         var planner = Protocol.of("planner")
-                .in("ready", acquires("map").then("reading"))
-                .in("reading", provides("plan").then("read"))
-                .in("read", releases("map").then("ready"))
-                .in("down", rejects("plan").then("down"), does("restart").then("ready"))
+                .state("ready", acquires("map").then("reading"))
+                .state("reading", provides("plan").then("read"))
+                .state("read", releases("map").then("ready"))
+                .state("down", rejects("plan").then("down"), does("restart").then("ready"))
                 .failsTo("down");
         var client = Protocol.of("client")
-                .in("idle", requests("planner.plan").then("idle").orRejected("idle"));
+                .state("idle", requests("planner.plan").then("idle").orRejected("idle"));
         if (!takesRejection) {
-            client = Protocol.of("client").in("idle", requests("planner.plan").then("idle"));
+            client =
+                    Protocol.of("client").state("idle", requests("planner.plan").then("idle"));
         }
         return Wiring.of("plans")
                 .component(planner.build())
@@ -378,17 +388,20 @@ class DeclarationsTest {
     @Test
     void failureOfACaller_withdrawsItsQuestions_andRejectsItsStream() {
         var gateway = Protocol.of("gateway")
-                .in("idle", asks("planner.plan").then("asked"), streams("news").then("idle"))
-                .in("asked", answered("planner.plan").then("telling"))
-                .in("telling", emits("news").then("idle"))
+                .state(
+                        "idle",
+                        asks("planner.plan").then("asked"),
+                        streams("news").then("idle"))
+                .state("asked", answered("planner.plan").then("telling"))
+                .state("telling", emits("news").then("idle"))
                 .failsTo("idle");
         var reader = Protocol.of("reader")
-                .in("out", asks("gateway.news").then("reading"))
-                .in(
+                .state("out", asks("gateway.news").then("reading"))
+                .state(
                         "reading",
                         answered("gateway.news").then("reading"),
                         rejected("gateway.news").then("out"));
-        var planner = Protocol.of("planner").in("ready", provides("plan").then("ready"));
+        var planner = Protocol.of("planner").state("ready", provides("plan").then("ready"));
         requireProved(Wiring.of("gateway")
                 .component(gateway.build())
                 .component(reader.build())
@@ -398,7 +411,7 @@ class DeclarationsTest {
     // ---- declarations that are refused
 
     private static ProtocolBuilder p(String state, Branch... branches) {
-        return Protocol.of("p").in(state, branches);
+        return Protocol.of("p").state(state, branches);
     }
 
     @Test
@@ -407,10 +420,10 @@ class DeclarationsTest {
                         p("a", acquires("arm").then("a"))::build,
                         p("a", releases("arm").then("a"))::build,
                         p("a", acquires("arm").then("b"))
-                                .in("b", releases("arm").then("a"), stops())::build,
+                                .state("b", releases("arm").then("a"), stops())::build,
                         p("a", answered("q.call").then("a"))::build,
                         p("a", emits("news").then("a"))::build,
-                        p("a", streams("x").then("b")).in("b", provides("x").then("a"))::build,
+                        p("a", streams("x").then("b")).state("b", provides("x").then("a"))::build,
                         p("a", does("x").then("a")).failsTo("down")::build,
                         () -> p("a", does("x").then("a")).failsTo("a").failsTo("a"),
                         () -> p("a", sends("note").then("a"))))
@@ -434,13 +447,14 @@ class DeclarationsTest {
     void wirings_thatMakeNoSense_areRefused() {
         var receiver = p("a", receives("note").then("a")).build();
         var taker = p("a", acquires("arm").then("b"))
-                .in("b", releases("arm").then("a"))
+                .state("b", releases("arm").then("a"))
                 .build();
         var stream = Protocol.of("s")
-                .in("a", streams("x").then("a"), finishes("x").then("a"))
+                .state("a", streams("x").then("a"), finishes("x").then("a"))
                 .build();
-        var caller =
-                p("a", asks("s.x").then("b")).in("b", answered("s.x").then("a")).build();
+        var caller = p("a", asks("s.x").then("b"))
+                .state("b", answered("s.x").then("a"))
+                .build();
         assertThat(refusals(
                         Wiring.of("w").component(receiver).open("p.note")::build,
                         Wiring.of("w").component(receiver).mailbox("p", 1, Overflow.BLOCK)::build,

@@ -27,23 +27,23 @@ import org.junit.jupiter.params.provider.ValueSource;
 class EqualComponentsTest {
     private static Protocol server() {
         return Protocol.of("server")
-                .in("free", provides("begin").then("busy"))
-                .in("busy", provides("end").then("free"))
+                .state("free", provides("begin").then("busy"))
+                .state("busy", provides("end").then("free"))
                 .build();
     }
 
     /** Each of n workers takes two of the tools, one after the other. */
     private static Wiring workers(int count, int tools, Branch... whileHoldingBoth) {
         var worker = Protocol.of("worker")
-                .in("idle", acquires("tool").then("one"))
-                .in("one", acquires("tool").then("both"))
-                .in(
+                .state("idle", acquires("tool").then("one"))
+                .state("one", acquires("tool").then("both"))
+                .state(
                         "both",
                         Stream.concat(Stream.of(releases("tool").then("back")), Stream.of(whileHoldingBoth))
                                 .toArray(Branch[]::new))
-                .in("back", releases("tool").then("idle"));
+                .state("back", releases("tool").then("idle"));
         if (whileHoldingBoth.length > 0) {
-            worker.in("gone", does("rest").then("gone"));
+            worker.state("gone", does("rest").then("gone"));
         }
         return Wiring.of(count + " workers")
                 .components("worker", count, worker.build())
@@ -87,12 +87,12 @@ class EqualComponentsTest {
      */
     private static ReducedFigures longSearch(int count) {
         var worker = Protocol.of("worker")
-                .in("idle", acquires("tool").then("one"))
-                .in("one", acquires("tool").then("both"))
-                .in("both", releases("tool").then("back"))
-                .in("back", releases("tool").then("tired"))
-                .in("tired", does("rest").then("rested"))
-                .in("rested", does("get up").then("idle"))
+                .state("idle", acquires("tool").then("one"))
+                .state("one", acquires("tool").then("both"))
+                .state("both", releases("tool").then("back"))
+                .state("back", releases("tool").then("tired"))
+                .state("tired", does("rest").then("rested"))
+                .state("rested", does("get up").then("idle"))
                 .build();
         var wiring = Wiring.of(count + " workers")
                 .components("worker", count, worker)
@@ -178,15 +178,15 @@ class EqualComponentsTest {
         }
         var leaving = random.nextInt(2 * steps.size());
         for (var i = 0; i < steps.size(); i++) {
-            protocol.in(
+            protocol.state(
                     "s" + i,
                     i == leaving
                             ? new Branch[] {steps.get(i), does("leave").then("gone")}
                             : new Branch[] {steps.get(i)});
         }
-        protocol.in("s" + steps.size(), does("begin again").then("s0"));
+        protocol.state("s" + steps.size(), does("begin again").then("s0"));
         if (leaving < steps.size()) {
-            protocol.in("gone", does("rest").then("gone"));
+            protocol.state("gone", does("rest").then("gone"));
         }
         var built = protocol.build();
         var count = 2 + random.nextInt(2);

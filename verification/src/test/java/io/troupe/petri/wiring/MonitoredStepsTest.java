@@ -120,11 +120,14 @@ class MonitoredStepsTest {
 
     private static WiringBuilder impatient() {
         var client = Protocol.of("client")
-                .in("idle", requests("planner.plan").then("satisfied").orTimeout("disappointed"))
-                .in("satisfied", requests("planner.praise").then("idle"))
-                .in("disappointed", requests("planner.plan").then("idle"));
+                .state("idle", requests("planner.plan").then("satisfied").orTimeout("disappointed"))
+                .state("satisfied", requests("planner.praise").then("idle"))
+                .state("disappointed", requests("planner.plan").then("idle"));
         var planner = Protocol.of("planner")
-                .in("ready", provides("plan").then("ready"), provides("praise").then("ready"));
+                .state(
+                        "ready",
+                        provides("plan").then("ready"),
+                        provides("praise").then("ready"));
         return Wiring.of("impatient").component(client.build()).component(planner.build());
     }
 
@@ -275,8 +278,8 @@ class MonitoredStepsTest {
     @Test
     void openMessages_comeFromOutside() {
         var lamp = Protocol.of("lamp")
-                .in("off", Protocol.receives("on").then("shining"))
-                .in("shining", does("burn out").then("off"));
+                .state("off", Protocol.receives("on").then("shining"))
+                .state("shining", does("burn out").then("off"));
         var wiring = Wiring.of("lamp").component(lamp.build()).mailbox("lamp", 1, Overflow.BLOCK);
         wiring.open("lamp.on");
         var arrives = e(Kind.ARRIVED, "lamp", "on");

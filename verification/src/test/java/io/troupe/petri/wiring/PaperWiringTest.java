@@ -295,8 +295,8 @@ class PaperWiringTest {
     @Test
     void block_beyondTheFullGraph_isToldWithAWay() {
         var clock = Protocol.of("clock")
-                .in("tick", does("tick").then("tock"))
-                .in("tock", does("tock").then("tick"))
+                .state("tick", does("tick").then("tock"))
+                .state("tock", does("tock").then("tick"))
                 .build();
         var wiring = Wiring.of("blocked").components("clock", 2, clock);
         for (var i = 1; i <= 4; i++) {
@@ -356,9 +356,9 @@ class PaperWiringTest {
     @Test
     void noDeadMarking_withoutAWordOnBlocks_isNotCalledProved() {
         var ticking = Protocol.of("clock")
-                .in("one", does("one").then("two"))
-                .in("two", does("two").then("three"))
-                .in("three", does("three").then("one"))
+                .state("one", does("one").then("two"))
+                .state("two", does("two").then("three"))
+                .state("three", does("three").then("one"))
                 .build();
         var wiring = Wiring.of("clocks").components("clock", 8, ticking).build();
         var result = WiringCheck.check(wiring, 100);
@@ -371,7 +371,7 @@ class PaperWiringTest {
     void groups_thatMakeNoSense_areRefused() {
         var wiring = PaperWiring.robots(2);
         var first = Set.of("robot1", "player1");
-        var clock = Protocol.of("clock").in("on", does("tick").then("on")).build();
+        var clock = Protocol.of("clock").state("on", does("tick").then("on")).build();
         var ticking = Wiring.of("w").component(clock).build();
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> wiring.withSynchronisedStops(List.of(first, Set.of("robot1"))))

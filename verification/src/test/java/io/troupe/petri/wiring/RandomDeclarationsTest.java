@@ -581,7 +581,7 @@ class RandomDeclarationsTest {
             });
             var builder = Protocol.of(me.name);
             for (var state = 0; state < states; state++) {
-                builder.in("s" + state, out.get(state).values().toArray(new Branch[0]));
+                builder.state("s" + state, out.get(state).values().toArray(new Branch[0]));
             }
             if (me.fails) {
                 builder.failsTo("s" + emptyHanded(states, held));

@@ -101,7 +101,7 @@ class RandomWiringTest {
         }
         var builder = Protocol.of("c" + self);
         for (var state = 0; state < states; state++) {
-            builder.in("s" + state, branches.get(state).values().toArray(new Branch[0]));
+            builder.state("s" + state, branches.get(state).values().toArray(new Branch[0]));
         }
         return builder.build();
     }

@@ -23,9 +23,9 @@ import org.junit.jupiter.api.Test;
 class WiringCheckTest {
     private static Protocol client() {
         return Protocol.of("client")
-                .in("idle", does("look").then("informed"))
-                .in("informed", requests("planner.plan").then("planned"))
-                .in(
+                .state("idle", does("look").then("informed"))
+                .state("informed", requests("planner.plan").then("planned"))
+                .state(
                         "planned",
                         does("drive").then("idle"),
                         requests("planner.correct").then("idle"))
@@ -34,13 +34,16 @@ class WiringCheckTest {
 
     private static Protocol planner() {
         return Protocol.of("planner")
-                .in("ready", provides("plan").then("ready"), provides("correct").then("ready"))
+                .state(
+                        "ready",
+                        provides("plan").then("ready"),
+                        provides("correct").then("ready"))
                 .build();
     }
 
     /** Takes a token when its neighbour passes one on, or passes one on itself. */
     private static final Protocol NEIGHBOUR = Protocol.of("neighbour")
-            .in("idle", requests("next.take").then("idle"), provides("take").then("idle"))
+            .state("idle", requests("next.take").then("idle"), provides("take").then("idle"))
             .build();
 
     private static Wiring ring(int size) {
@@ -67,11 +70,11 @@ class WiringCheckTest {
     @Test
     void samplesOfTheJavadoc_areProved() {
         var client = Protocol.of("client")
-                .in("idle", does("look").then("informed"))
-                .in("informed", requests("planner.plan").then("idle"), stops())
+                .state("idle", does("look").then("informed"))
+                .state("informed", requests("planner.plan").then("idle"), stops())
                 .build();
         var planner = Protocol.of("planner")
-                .in("ready", provides("plan").then("ready"))
+                .state("ready", provides("plan").then("ready"))
                 .build();
         var wiring = Wiring.of("two clients")
                 .components("client", 2, client)
@@ -121,17 +124,17 @@ class WiringCheckTest {
     /** A server that takes two resources before it serves, and a user who may take a lock twice. */
     private static WiringBuilder nestedAcquisitions() {
         var server = Protocol.of("server")
-                .in("s0", acquires("r1").then("s1"))
-                .in("s1", acquires("r2").then("s2"))
-                .in("s2", provides("go").then("s3"))
-                .in("s3", releases("r2").then("s4"))
-                .in("s4", releases("r1").then("s0"));
+                .state("s0", acquires("r1").then("s1"))
+                .state("s1", acquires("r2").then("s2"))
+                .state("s2", provides("go").then("s3"))
+                .state("s3", releases("r2").then("s4"))
+                .state("s4", releases("r1").then("s0"));
         var user = Protocol.of("user")
-                .in("u", does("well").then("call"), does("badly").then("stuck"))
-                .in("call", requests("server.go").then("u"))
-                .in("stuck", acquires("lock").then("held"))
-                .in("held", acquires("lock").then("twice"))
-                .in("twice", releases("lock").then("held"));
+                .state("u", does("well").then("call"), does("badly").then("stuck"))
+                .state("call", requests("server.go").then("u"))
+                .state("stuck", acquires("lock").then("held"))
+                .state("held", acquires("lock").then("twice"))
+                .state("twice", releases("lock").then("held"));
         return wiring("nested", server.build(), user.build())
                 .resource("r1", 1)
                 .resource("r2", 1)
@@ -155,14 +158,14 @@ class WiringCheckTest {
     /** With {@code leftHanded} the last philosopher takes the forks in the other order. */
     private static Wiring philosophers(int count, boolean leftHanded) {
         var fork = Protocol.of("fork")
-                .in("free", provides("take").then("taken"))
-                .in("taken", provides("put").then("free"))
+                .state("free", provides("take").then("taken"))
+                .state("taken", provides("put").then("free"))
                 .build();
         var philosopher = Protocol.of("phil")
-                .in("thinking", requests("left.take").then("has left"))
-                .in("has left", requests("right.take").then("eating"))
-                .in("eating", requests("left.put").then("has right"))
-                .in("has right", requests("right.put").then("thinking"))
+                .state("thinking", requests("left.take").then("has left"))
+                .state("has left", requests("right.take").then("eating"))
+                .state("eating", requests("left.put").then("has right"))
+                .state("has right", requests("right.put").then("thinking"))
                 .build();
         var table = Wiring.of("table").components("phil", count, philosopher).components("fork", count, fork);
         for (var i = 1; i <= count; i++) {
@@ -206,12 +209,12 @@ class WiringCheckTest {
     @Test
     void stop_leavesOneBlockedWhileAnotherGoesOn() {
         var server = Protocol.of("server")
-                .in("off", provides("open").then("on"))
-                .in("on", provides("use").then("on"), stops());
+                .state("off", provides("open").then("on"))
+                .state("on", provides("use").then("on"), stops());
         var user = Protocol.of("user")
-                .in("start", requests("server.open").then("using"))
-                .in("using", requests("server.use").then("using"));
-        var clock = Protocol.of("clock").in("ticking", does("tick").then("ticking"));
+                .state("start", requests("server.open").then("using"))
+                .state("using", requests("server.use").then("using"));
+        var clock = Protocol.of("clock").state("ticking", does("tick").then("ticking"));
         var result = (Blocked) WiringCheck.check(
                 wiring("blocked", server.build(), user.build(), clock.build()).build());
         assertThat(result.figures().deadMarkings()).isZero();
@@ -225,10 +228,10 @@ class WiringCheckTest {
     @Test
     void singleWait_saysThatNobodyWillAnswer() {
         var server = Protocol.of("server")
-                .in("busy", does("end").then("rest"), provides("cancel").then("rest"))
-                .in("rest", does("rest").then("rest"));
-        var client = Protocol.of("client").in("on", requests("server.cancel").then("off"));
-        client.in("off", does("wait").then("off"));
+                .state("busy", does("end").then("rest"), provides("cancel").then("rest"))
+                .state("rest", does("rest").then("rest"));
+        var client = Protocol.of("client").state("on", requests("server.cancel").then("off"));
+        client.state("off", does("wait").then("off"));
         var result = (Blocked) WiringCheck.check(
                 wiring("cancel", server.build(), client.build()).build());
         assertThat(result.counterexample().sentence())
@@ -238,8 +241,12 @@ class WiringCheckTest {
     @Test
     void repair_thatDoesNotHelp_isNotCalledProved() {
         var stopping = Protocol.of("node")
-                .in("off", does("start").then("idle"))
-                .in("idle", requests("next.take").then("idle"), provides("take").then("idle"), stops())
+                .state("off", does("start").then("idle"))
+                .state(
+                        "idle",
+                        requests("next.take").then("idle"),
+                        provides("take").then("idle"),
+                        stops())
                 .build();
         var wiring = Wiring.of("pair")
                 .components("node", 2, stopping)
@@ -255,15 +262,18 @@ class WiringCheckTest {
     @Test
     void synchronisedStop_inSeveralStates_isTakenInEveryCombination() {
         var lamp = Protocol.of("lamp")
-                .in("off", does("start").then("dark"))
-                .in("dark", provides("light").then("bright"), stops())
-                .in("bright", provides("dim").then("dark"), stops());
+                .state("off", does("start").then("dark"))
+                .state("dark", provides("light").then("bright"), stops())
+                .state("bright", provides("dim").then("dark"), stops());
         var user = Protocol.of("user")
-                .in("away", does("come").then("wants light"))
-                .in("wants light", requests("lamp.light").then("wants dark"))
-                .in("wants dark", requests("lamp.dim").then("thinks"))
-                .in("thinks", does("go on").then("wants light"), does("leave").then("leaving"))
-                .in("leaving", stops());
+                .state("away", does("come").then("wants light"))
+                .state("wants light", requests("lamp.light").then("wants dark"))
+                .state("wants dark", requests("lamp.dim").then("thinks"))
+                .state(
+                        "thinks",
+                        does("go on").then("wants light"),
+                        does("leave").then("leaving"))
+                .state("leaving", stops());
         var together = wiring("lamp", lamp.build(), user.build()).build().withSynchronisedStop();
         assertThat(together.net().transitions())
                 .extracting(Object::toString)
@@ -283,11 +293,11 @@ class WiringCheckTest {
     @Test
     void stateOfAWiring_thatNobodyReaches_isInTheFigures() {
         var server = Protocol.of("server")
-                .in("first", provides("first").then("second"))
-                .in("second", provides("second").then("first"));
+                .state("first", provides("first").then("second"))
+                .state("second", provides("second").then("first"));
         var wrong = Protocol.of("wrong")
-                .in("start", requests("server.second").then("then"))
-                .in("then", requests("server.first").then("start"));
+                .state("start", requests("server.second").then("then"))
+                .state("then", requests("server.first").then("start"));
         var result = (Deadlock)
                 WiringCheck.check(wiring("order", wrong.build(), server.build()).build());
         assertThat(result.figures().neverReached()).contains("server.second", "wrong.then");
@@ -300,11 +310,11 @@ class WiringCheckTest {
     // ---- declarations that are refused
 
     private static final Protocol PLAYER = Protocol.of("player")
-            .in("ready", provides("setValues").then("ready"))
+            .state("ready", provides("setValues").then("ready"))
             .build();
 
     private static Protocol asking(String target) {
-        return Protocol.of("robot").in("idle", requests(target).then("idle")).build();
+        return Protocol.of("robot").state("idle", requests(target).then("idle")).build();
     }
 
     private static WiringBuilder w(Protocol... components) {
@@ -312,7 +322,7 @@ class WiringCheckTest {
     }
 
     private static ProtocolBuilder p(String state, Branch... branches) {
-        return Protocol.of("p").in(state, branches);
+        return Protocol.of("p").state(state, branches);
     }
 
     @Test
@@ -360,11 +370,11 @@ class WiringCheckTest {
     void protocols_thatMakeNoSense_areRefused() {
         var loop = does("x").then("a");
         assertThat(refusals(
-                        p("a", loop).in("b", does("y").then("a"))::build,
+                        p("a", loop).state("b", does("y").then("a"))::build,
                         p("driving", does("x").then("drivng"))::build,
                         Protocol.of("p")::build,
                         () -> p("a"),
-                        () -> p("a", loop).in("a", does("y").then("a")),
+                        () -> p("a", loop).state("a", does("y").then("a")),
                         () -> p("a", loop, loop),
                         () -> p("a", stops()),
                         () -> p(" a", stops()),

@@ -23,14 +23,14 @@ class WiringMonitorTest {
                     "client",
                     2,
                     Protocol.of("client")
-                            .in("idle", does("look").then("informed"))
-                            .in("informed", requests("planner.plan").then("idle"))
+                            .state("idle", does("look").then("informed"))
+                            .state("informed", requests("planner.plan").then("idle"))
                             .build())
             .component(
                     "planner",
                     Protocol.of("planner")
-                            .in("ready", provides("plan").then("storing"))
-                            .in(
+                            .state("ready", provides("plan").then("storing"))
+                            .state(
                                     "storing",
                                     does("store").then("ready"),
                                     does("forget").then("ready"))
@@ -256,14 +256,14 @@ class WiringMonitorTest {
     void conformance_listsWhatTheRunsNeed() {
         var declared = Wiring.of("pictures")
                 .component(Protocol.of("camera")
-                        .in(
+                        .state(
                                 "on",
                                 requests("store.keep").then("on"),
                                 does("switch off").then("off"))
-                        .in("off", does("switch on").then("on"))
+                        .state("off", does("switch on").then("on"))
                         .build())
                 .component(Protocol.of("store")
-                        .in("open", provides("keep").then("open"))
+                        .state("open", provides("keep").then("open"))
                         .build())
                 .build();
         var observed = Set.of("switch off", "switch on");

@@ -19,17 +19,20 @@ import org.junit.jupiter.api.Test;
 class WiringProgressTest {
     private static Wiring drivers(boolean retires) {
         var robot = Protocol.of("robot")
-                .in("idle", provides("drive").then("driven"))
-                .in("driven", provides("leave").then("idle"))
+                .state("idle", provides("drive").then("driven"))
+                .state("driven", provides("leave").then("idle"))
                 .build();
         var driver = Protocol.of("driver");
         if (retires) {
-            driver.in("off", requests("robot.drive").then("on"), does("retire").then("retired"))
-                    .in("retired", does("rest").then("retired"));
+            driver.state(
+                            "off",
+                            requests("robot.drive").then("on"),
+                            does("retire").then("retired"))
+                    .state("retired", does("rest").then("retired"));
         } else {
-            driver.in("off", requests("robot.drive").then("on"));
+            driver.state("off", requests("robot.drive").then("on"));
         }
-        driver.in("on", requests("robot.leave").then("off"));
+        driver.state("on", requests("robot.leave").then("off"));
         return Wiring.of("drivers").component(robot).component(driver.build()).build();
     }
 
@@ -53,17 +56,17 @@ class WiringProgressTest {
     @Test
     void question_thatIsNeverTaken_isNamed() {
         var client = Protocol.of("client")
-                .in("idle", asks("planner.plan").then("waiting"))
-                .in(
+                .state("idle", asks("planner.plan").then("waiting"))
+                .state(
                         "waiting",
                         answered("planner.plan").then("idle"),
                         does("look around").then("waiting"));
         var planner = Protocol.of("planner")
-                .in(
+                .state(
                         "ready",
                         provides("plan").then("ready"),
                         does("begin to map").then("mapping"))
-                .in("mapping", does("map").then("mapping"));
+                .state("mapping", does("map").then("mapping"));
         var wiring = Wiring.of("plans")
                 .component(client.build())
                 .component(planner.build())

@@ -101,8 +101,12 @@ class RunLogReaderTest {
                 var log = new RunLog(file)) {
             log.begin(scenario.world(), RecordedRun.Settings.defaults());
             var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
-            var robots = new RobotServicesActor.Settings("localhost", 6665, table, recorder);
-            var settings = new SubsumptionRun.Settings(Mode.PROMISE, robots, simulation.clock(), recorder);
+            var robots = RobotServicesActor.Settings.defaults().withTable(table).withObserver(recorder);
+            var settings = SubsumptionRun.Settings.defaults()
+                    .withMode(Mode.PROMISE)
+                    .withRobots(robots)
+                    .withClock(simulation.clock())
+                    .withListener(recorder);
             try (var running = SubsumptionRun.start(settings)) {
                 recorder.start(simulation.latest());
                 snapshots.add(simulation.latest());

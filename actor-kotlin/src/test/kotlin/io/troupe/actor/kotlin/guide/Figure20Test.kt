@@ -53,7 +53,7 @@ class Figure20Test {
                 .withOnError { _, error -> problems += error }
             ActorSpace.create(onSpace).use { space ->
                 simulation.whileWaiting(space::runQueued)
-                val observed = RobotServicesActor.Settings.ofThePaper().withObserver(recorder)
+                val observed = RobotServicesActor.Settings.defaults().withObserver(recorder)
                 val robots = space.spawn<RobotServices> { RobotServicesActor(observed) }
                 space.spawn<Demo3> { Demo3(LeasedRobots.of(robots), recorder) }.live()
                 space.runQueued()

@@ -173,8 +173,12 @@ class PaperFiguresTest {
         try (var simulation = open()) {
             Arbitrator.StateListener listener =
                     (state, seenBy) -> ours.add(stamped(simulation.clock(), "State " + state.number()));
-            var robots = RobotServicesActor.Settings.ofThePaper();
-            var settings = new SubsumptionRun.Settings(Mode.SYNC, robots, simulation.clock(), listener);
+            var robots = RobotServicesActor.Settings.defaults();
+            var settings = SubsumptionRun.Settings.defaults()
+                    .withMode(Mode.SYNC)
+                    .withRobots(robots)
+                    .withClock(simulation.clock())
+                    .withListener(listener);
             try (var run = SubsumptionRun.start(settings)) {
                 tick(simulation, TICKS);
                 run.check();
@@ -204,7 +208,7 @@ class PaperFiguresTest {
     private Consumer<ActorSpace> arbitrator(Mode mode, String colourPrefix) {
         return space -> {
             var table = SubsumptionTable.ofThePaper();
-            var settings = RobotServicesActor.Settings.ofThePaper().withReconnection(true);
+            var settings = RobotServicesActor.Settings.defaults().withReconnection(true);
             RobotServices services = space.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
             Arbitrator.StateListener listener = (state, seenBy) -> {
                 if (seenBy != null) {

@@ -2,6 +2,7 @@ package io.troupe.services.component.application;
 
 import io.troupe.broker.Need;
 import io.troupe.bus.BusTopic;
+import io.troupe.common.text.LineSyntax;
 import io.troupe.common.text.SourcePosition;
 import io.troupe.common.text.SourceScanner;
 import io.troupe.common.text.Suggestions;
@@ -356,13 +357,13 @@ public final class ApplicationReader {
 
     /**
      * The tokens of one line, which are read one after the other. Blanks separate them, quotes keep blanks in a token,
-     * {@code #} at the start of a token begins a comment, and <code>${name}</code> is replaced by a value of the
+     * names and comments are those of {@link LineSyntax}, and <code>${name}</code> is replaced by a value of the
      * caller.
      */
     private static final class LineTokens {
         private static final Pattern BLANKS = Pattern.compile("\\p{javaWhitespace}+");
         private static final Pattern PART = Pattern.compile("[^\\p{javaWhitespace}\"]+|\"[^\"]*\"");
-        private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_.-]*");
+        private static final Pattern NAME = Pattern.compile(LineSyntax.NAME);
 
         private final SourcePosition end;
         private final List<Token> tokens = new ArrayList<>();
@@ -373,7 +374,7 @@ public final class ApplicationReader {
             end = new SourcePosition(
                     start.file(), start.line(), line.text().stripTrailing().length() + 1);
             line.take(BLANKS);
-            while (!line.atEnd() && !line.isAt("#")) {
+            while (!line.atEnd() && !LineSyntax.isComment(line.text(), line.offset())) {
                 SourcePosition where = line.where();
                 tokens.add(new Token(substitute(where, unquoted(line, where), values), where));
                 line.take(BLANKS);

@@ -1,5 +1,6 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.common.text.LineSyntax;
 import io.troupe.common.text.NamedColours;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -7,8 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Writes tables in the format that {@link SubsumptionTableReader} reads. */
-public final class SubsumptionTableWriter {
+/** Writes tables in the format that {@link SubsumptionTableReader} reads, to compare them with what it reads. */
+final class SubsumptionTableWriter {
     /** Up to this number of robots, services are written one by one instead of in ranges. */
     private static final int FEW_ROBOTS = 4;
 
@@ -25,7 +26,7 @@ public final class SubsumptionTableWriter {
      * @throws IllegalArgumentException if a service was not made by a {@link ServiceCatalogue}, so that it cannot be
      *     written
      */
-    public static String write(SubsumptionTable table) {
+    static String write(SubsumptionTable table) {
         return new SubsumptionTableWriter(table).write();
     }
 
@@ -54,7 +55,7 @@ public final class SubsumptionTableWriter {
                 .distinct()
                 .forEach(service -> {
                     if (!(service.behaviour() instanceof ServiceDefinition definition)
-                            || !service.name().matches(TableLine.WORD)) {
+                            || !service.name().matches(LineSyntax.NAME)) {
                         throw new IllegalArgumentException("the service " + service
                                 + " cannot be written, expected one that a catalogue made, and a word as its name");
                     }
