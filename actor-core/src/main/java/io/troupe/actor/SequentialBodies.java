@@ -11,8 +11,8 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The sequential bodies of a space, a form of coroutine. Each occupies one of the {@link BlockingTaskThreads}, but runs only
- * while it has control of the space: the space's thread passes control to it, and does nothing until control is
+ * The sequential bodies of a space, a form of coroutine. Each occupies one of the {@link BlockingTaskThreads}, but runs
+ * only while it has control of the space: the space's thread passes control to it, and does nothing until control is
  * returned, so that only one of these threads runs at a time. On the thread that has control.
  */
 final class SequentialBodies {

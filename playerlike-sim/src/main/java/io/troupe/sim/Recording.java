@@ -10,7 +10,8 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes all input of a world to a text file, with the tick at which it took effect.
+ * Writes all input of a world to a text file, with the tick at which it took effect. Where a client was silent for too
+ * long, the stop of its robot is written as a command, because a replay has no clients.
  *
  * <p><b>Role.</b> Created by {@link World#record}; {@link Replay} reads the file and repeats the run. {@link #close}
  * writes the last line and closes the output. A recording without that line counts as cut off.

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * A recording that has been read. It can be played in the same world any number of times.
+ * A {@link Recording} that has been read. It can be played in the same world any number of times.
  *
  * <p><b>Threads.</b> Any thread; immutable.
  *

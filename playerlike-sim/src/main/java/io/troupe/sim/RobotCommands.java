@@ -154,8 +154,8 @@ final class RobotCommands {
     }
 
     /**
-     * Stops the robot when its command limit has expired. Recorded as a command to stand still, because a replay
-     * has no clients and so no command limits.
+     * Stops the robot when its command limit has expired. Recorded as a command to stand still, because a replay has no
+     * clients and so no command limits.
      */
     private void expire(@Nullable Recording recording) {
         if (recording != null && (steering != null || differs(0, 0, 0))) {
@@ -210,8 +210,8 @@ final class RobotCommands {
     }
 
     /**
-     * True if the watchdog has expired. It does not watch a robot on its way to a goal: that command ends by
-     * itself, while a speed would hold for ever.
+     * True if the watchdog has expired. It does not watch a robot on its way to a goal: that command ends by itself,
+     * while a speed would hold for ever.
      */
     private boolean isLate(long nowMicros) {
         return isWatched()

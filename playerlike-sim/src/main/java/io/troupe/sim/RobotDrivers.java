@@ -2,8 +2,8 @@ package io.troupe.sim;
 
 /**
  * Counts the clients that may drive each robot of a simulation, and stops a robot when the last one has left: no robot
- * keeps the speed of a client that is gone. (A client that is there and silent is stopped by its command limit or by the
- * watchdog, in {@link RobotCommands}.)
+ * keeps the speed of a client that is gone. (A client that is there and silent is stopped by its command limit or by
+ * the watchdog, in {@link RobotCommands}.)
  *
  * <p><b>Threads.</b> Under the lock of the simulation.
  */

@@ -6,7 +6,6 @@ import io.troupe.sim.device.Ranger;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.DeviceSpec;
-import io.troupe.sim.model.DriveSpec;
 import io.troupe.sim.model.DriveSpec.Steering;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
@@ -499,5 +498,4 @@ final class WorldCommands {
     double turnRadps(int robot) {
         return robotCommands.get(robot).turnRadps();
     }
-
 }

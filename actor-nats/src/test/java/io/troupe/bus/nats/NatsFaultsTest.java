@@ -24,8 +24,8 @@ import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.FutureTask;
 import java.util.concurrent.Executors;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
@@ -143,8 +143,8 @@ class NatsFaultsTest extends NatsTest {
             var near = open("near", at).attach("a");
             assertThat(answer(near, far.address())).isEqualTo("number 7");
             var goesOn = new AtomicBoolean(true);
-            // A server cuts the connection of a reader that is 64 MB behind: a busy machine may hold one up for seconds.
-            // An answer shows that all values before the request have been read.
+            // A server cuts off a reader that is 64 MB behind, and a busy machine may hold one up for seconds. An
+            // answer shows that all values before the request have been read.
             var flood = new FutureTask<>(() -> {
                 for (int i = 1; goesOn.get(); i++) {
                     flooder.publish(COUNTS, new Count(i));

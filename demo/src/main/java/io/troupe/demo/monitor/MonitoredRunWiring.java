@@ -13,7 +13,8 @@ import io.troupe.services.subsumption.Mode;
 import java.util.function.IntFunction;
 
 /**
- * The main job as declarations that a run can be compared with, message by message, in each of the three modes.
+ * The main job as declarations that a run can be compared with, message by message, in each of the three modes. The
+ * proof is about {@code ProvedRunWiring}, which is smaller: without inbox, starters, stoppers and failures.
  *
  * <p>A call that its caller does not wait for is a component: the starter and the stopper of a robot are the messages
  * with which the arbitrator starts and stops its service, and the promise is that of its colour. The inbox judges each

@@ -20,8 +20,8 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Follows a run of the main job through its {@link MonitoredRunWiring declaration}: translates what the observers of actors,
- * services and states notice to the calls of the declaration.
+ * Follows a run of the main job through its {@link MonitoredRunWiring declaration}: translates what the observers of
+ * actors, services and states notice to the calls of the declaration.
  *
  * <table>
  * <caption>What is observed, and what it is in the declaration</caption>

@@ -17,6 +17,8 @@ import java.util.function.IntFunction;
  * ended looks like one that waits for readings: a request to stop it is answered at once. A colour always leads to
  * another state, as in the paper's table. Closing a world or an actor space is no call and not part of the model.
  *
+ * <p>A running program is compared with {@code MonitoredRunWiring}, which has every message.
+ *
  * <p><b>Source.</b> The classes {@code Simulation}, {@code RobotServicesActor} and {@code Arbitrator}. ADR 0003 defines
  * when an actor space has answered a reading.
  */

@@ -216,8 +216,8 @@ class RunMonitorTest {
         for (int seed = 1; seed <= seeds; seed++) {
             var fault = Fault.values()[seed % Fault.values().length];
             var faulty = new Faulty(fault, new Random(seed));
-            var monitor =
-                    WiringMonitor.of(MonitoredRunWiring.withFailures(mode, ROBOTS)).keepingEvents();
+            var monitor = WiringMonitor.of(MonitoredRunWiring.withFailures(mode, ROBOTS))
+                    .keepingEvents();
             var settings = RecordedRun.Settings.defaults()
                     .withMode(mode)
                     .withSeed(seed)
