@@ -14,16 +14,13 @@ import io.troupe.services.robot.RobotConnection;
 import java.lang.System.Logger.Level;
 import java.security.SecureRandom;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -158,19 +155,8 @@ public final class RobotServicesActor extends Actor implements RobotServices {
      */
     static RobotServicesActor forHosts(Settings settings, Set<String> offered) {
         var actor = new RobotServicesActor(settings, new Terms(true, offered, HOSTS_SILENCE_LIMIT));
-        actor.connectAll();
+        actor.connections.connectAll();
         return actor;
-    }
-
-    private void connectAll() {
-        try {
-            for (int robot = 0; robot < table.robots(); robot++) {
-                connections.connect(robot);
-            }
-        } catch (PlayerException unreachable) {
-            connections.closeAll();
-            throw unreachable;
-        }
     }
 
     private static Set<String> names(SubsumptionTable table) {
@@ -434,7 +420,8 @@ public final class RobotServicesActor extends Actor implements RobotServices {
 
         private void hasEnded(@Nullable Throwable error) {
             drives.remove(robot, this);
-            connections.serviceEnded(robot, error instanceof PlayerException);
+            connections.serviceEnded(
+                    robot, error instanceof PlayerException, context().space());
             if (reports != null) {
                 reports.finish(); // the error is that of the call
             }
@@ -546,66 +533,6 @@ public final class RobotServicesActor extends Actor implements RobotServices {
                     observer.serviceEnded(robot.index(), cycle.service());
                 }
             }
-        }
-    }
-
-    /** The connections with the robots: one per robot, or one per service. */
-    private final class RobotConnections {
-        private final Settings settings;
-        private final Duration silenceLimit;
-        private final Map<Integer, RobotConnection> open = new TreeMap<>(); // by robot
-        private final Set<Integer> reconnecting = new HashSet<>();
-        private final List<RobotConnection> closing = new ArrayList<>();
-
-        RobotConnections(Settings settings, Duration silenceLimit) {
-            this.settings = settings;
-            this.silenceLimit = silenceLimit;
-        }
-
-        /** Returns the connection with a robot; connects if there is none. */
-        RobotConnection connect(int robot) {
-            return open.computeIfAbsent(robot, index -> {
-                var devices = new RobotConnection.Devices(index, true, table.usesLaser(index));
-                var connection = RobotConnection.open(
-                        settings.host(),
-                        settings.port(),
-                        RobotConnection.Delivery.PULL,
-                        List.of(devices),
-                        silenceLimit);
-                connection.readOnSpace();
-                return connection;
-            });
-        }
-
-        /** Whether the robot's new connection replaces an earlier one; true at most once per connection. */
-        boolean takeReconnected(int robot) {
-            return reconnecting.remove(robot);
-        }
-
-        /**
-         * Called when a robot's service has ended. If each service has a separate connection, or the connection has
-         * failed, the connection is closed, but only when the space is idle and so after the next service has
-         * connected. In lock step a server behind a socket does not wait for a client that has left; the world would
-         * advance before the new connection exists. (A server in this JVM waits for the end of the turn.)
-         */
-        void serviceEnded(int robot, boolean connectionFailed) {
-            RobotConnection ended = connectionFailed || settings.reconnects() ? open.remove(robot) : null;
-            if (ended != null) { // also null if all connections are closed already
-                reconnecting.add(robot);
-                closing.add(ended);
-                context().space().onIdle(this::closePending);
-            }
-        }
-
-        void closeAll() {
-            closing.addAll(open.values());
-            open.clear();
-            closePending();
-        }
-
-        private void closePending() {
-            closing.forEach(RobotConnection::close);
-            closing.clear();
         }
     }
 }

@@ -37,6 +37,20 @@ class SubsumptionTableReaderTest {
     }
 
     @Test
+    void comment_beginsAtTheStartOrAfterABlank_andNoColourDoes() {
+        var table = read("""
+                #FF0000 is a comment here
+                robots 1
+                  # and here
+                allow final
+                state #FF0000 : spaceWanderer # and here, with #00FF00
+                """);
+        assertThat(table.states()).extracting(State::colour).containsExactly(NamedColours.RED);
+        assertThatThrownBy(() -> read("robots 1\nstate red : spaceWanderer# no comment"))
+                .hasMessageContaining("2:26: '#', expected");
+    }
+
+    @Test
     void table4_asText_isTheTableOfThePaper_andIsWrittenPlainly() {
         assertThat(read("""
                 # Table 4

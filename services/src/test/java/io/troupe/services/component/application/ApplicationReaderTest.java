@@ -5,12 +5,18 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.broker.Need;
 import io.troupe.services.component.application.ApplicationPlan.Replacement;
+import io.troupe.services.component.kinds.BehaviourComponent;
+import io.troupe.services.component.kinds.ComponentKind;
+import io.troupe.services.component.kinds.ComponentKind.Parameter;
 import io.troupe.services.component.kinds.ComponentKinds;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,6 +50,29 @@ class ApplicationReaderTest {
         assertThat(plan.needs()).containsExactly(Need.ofService("robot2", "eyes"), new Need("demo", "eyes", "sees"));
         assertThat(plan.wires()).extracting(Object::toString).containsExactly("robot1/blobs -> finder/blobs");
         assertThat(plan.replacements()).containsExactly(new Replacement(Duration.ofMillis(1500), "finder", "other"));
+    }
+
+    @Test
+    void kindOfOnesOwn_isReadAsTheOthers_andNamesAndCommentsAreThoseOfTables() {
+        var given = new ArrayList<String>();
+        var lamp = new ComponentKind(
+                "lamp", "shines", List.of(new Parameter("colour", "of its light", "blue")), (name, arguments) -> {
+                    given.add(name + " " + arguments.text("colour"));
+                    return BehaviourComponent.of(name, "light", List.of(), () -> senses -> Optional.empty());
+                });
+        var kinds = ComponentKinds.standard().with(lamp);
+        var plan = ApplicationReader.parse("""
+                application größe.1
+                component sun-é is lamp
+                component red is lamp colour=#FF0000 # a comment
+                """, Path.of("my.app"), kinds, Map.of());
+        assertThat(plan.name()).isEqualTo("größe.1");
+        assertThat(plan.components()).containsOnlyKeys("sun-é", "red");
+        assertThat(given).containsExactly("sun-é blue", "red #FF0000");
+        assertThatThrownBy(() -> kinds.with(lamp)).hasMessage("there is a kind lamp already");
+        assertThatThrownBy(() -> ApplicationReader.parse(
+                        "application a\ncomponent x is lamp #FF0000", Path.of("my.app"), kinds, Map.of()))
+                .hasMessageContaining("my.app:2:21: found \"#FF0000\", expected PARAMETER=VALUE");
     }
 
     @ParameterizedTest
