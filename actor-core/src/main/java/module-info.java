@@ -15,7 +15,8 @@ module io.troupe.actor {
     exports io.troupe.actor.testkit;
     exports io.troupe.actor.internal to // and to the modules of actor types, when their proxies are generated
             io.troupe.actor.kotlin,
-            io.troupe.service;
+            io.troupe.service,
+            io.troupe.services;
     exports io.troupe.actor.internal.loop to
             io.troupe.actor.kotlin,
             io.troupe.service;

@@ -131,7 +131,7 @@ final class ActorCell extends Recipient {
         var admission = bounded.admit(call, this);
         if (admission == BoundedMailbox.Admission.QUEUED) {
             queue(call, bounded);
-        } else if (admission == BoundedMailbox.Admission.REFUSED) {
+        } else if (admission == BoundedMailbox.Admission.REJECTED) {
             drop(call, bounded.reason());
         } else if (admission == BoundedMailbox.Admission.INTERRUPTED) {
             drop(call, bounded.reason() + ", and its caller was interrupted while it waited for room");
@@ -553,7 +553,7 @@ final class ActorCell extends Recipient {
 
     private void deliverCall(Node call) {
         Object target = space.isStopping() ? null : instance; // no actor runs any more, whatever the end has left out
-        if (call instanceof Request<?> request && (request.isDone() || request.shed())) {
+        if (call instanceof Request<?> request && (request.isDone() || request.dropIfAbandoned())) {
             noteDropped(call);
             space.reports().skip(request); // cancelled or given up while queued
             endBroadcasts(request, new CancellationException("a call was cancelled or given up before it began"));

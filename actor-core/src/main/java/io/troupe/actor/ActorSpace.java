@@ -342,24 +342,31 @@ public final class ActorSpace implements AutoCloseable {
      * with a new callback, and receives its results.
      *
      * {@snippet :
-     * Flow.Publisher<Integer> publisher = space.publisher(Backlog.newest(16), colours::subscribe); // of a topic
-     * Flow.Publisher<Integer> watched = space.publisher(Backlog.ALL, camera::watch); // of an actor
+     * Flow.Publisher<Integer> publisher = space.publisher(16, colours::subscribe); // of a topic
+     * Flow.Publisher<Integer> watched = space.publisher(camera::watch); // of an actor
      * }
      *
      * <p><b>Threads.</b> Any thread may subscribe, request and cancel. The subscriber runs on this space, as entries of
      * its callback queue; if it subscribed in an actor of this space, on behalf of that actor, until that stops.
      *
      * <p><b>Order.</b> Senders do not wait for requests. The results that come before they are requested are queued;
-     * the backlog determines which of them are kept, in the callback queue and again in the queue of the subscription.
-     * The end follows the results that were kept.
+     * the capacity limits them, in the callback queue and again in the queue of the subscription; one more result drops
+     * the oldest. The end follows the results that were kept.
      *
      * <p><b>Errors.</b> A source that throws, or a null result, is the failure of the stream. If the space is closed
      * before the end, no further signal arrives.
      */
-    public <T> Flow.Publisher<T> publisher(Backlog backlog, Consumer<? super Callback<T>> source) {
-        Objects.requireNonNull(backlog, "backlog");
+    public <T> Flow.Publisher<T> publisher(int capacity, Consumer<? super Callback<T>> source) {
+        if (capacity < 1) {
+            throw new IllegalArgumentException("capacity is " + capacity + ", expected 1 or more");
+        }
         Objects.requireNonNull(source, "source");
-        return new CallbackPublisher<>(home, backlog, source);
+        return new CallbackPublisher<>(home, capacity, source);
+    }
+
+    /** Like {@link #publisher(int, Consumer)} without a limit: every result is kept until it is requested. */
+    public <T> Flow.Publisher<T> publisher(Consumer<? super Callback<T>> source) {
+        return publisher(Integer.MAX_VALUE, source);
     }
 
     /** Runs an action on the space's thread as soon as it is idle: no entry in any queue, no timer due. */

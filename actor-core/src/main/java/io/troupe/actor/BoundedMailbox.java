@@ -1,10 +1,10 @@
 package io.troupe.actor;
 
 import io.troupe.actor.ActorSettings.Overflow;
+import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Nodes;
-import java.util.ArrayDeque;
 import java.util.Objects;
 import java.util.concurrent.Semaphore;
 import org.jspecify.annotations.Nullable;
@@ -23,9 +23,9 @@ final class BoundedMailbox {
         /** To be queued in the space. */
         QUEUED,
         /** Stored here; nothing is to be queued. */
-        TAKEN_IN,
+        STORED,
         /** There is no room. */
-        REFUSED,
+        REJECTED,
         /** The caller was interrupted while waiting for room. */
         INTERRUPTED
     }
@@ -33,13 +33,13 @@ final class BoundedMailbox {
     private final int capacity;
     private final Overflow overflow;
     private final Semaphore room;
-    private final @Nullable ArrayDeque<Node> calls; // guarded by itself
+    private final @Nullable BoundedQueue<Node> calls; // guarded by itself
 
     BoundedMailbox(int capacity, Overflow overflow) {
         this.capacity = capacity;
         this.overflow = overflow;
         this.room = new Semaphore(capacity);
-        this.calls = overflow == Overflow.DROP_OLDEST ? new ArrayDeque<>() : null;
+        this.calls = overflow == Overflow.DROP_OLDEST ? BoundedQueue.droppingOldest(capacity) : null;
     }
 
     /** Makes room for a call; depending on the overflow rule it waits, or drops another call. */
@@ -51,7 +51,7 @@ final class BoundedMailbox {
             if (overflow != Overflow.BLOCK
                     || Home.current() != null
                     || cell.space().isThreadless()) {
-                return Admission.REFUSED;
+                return Admission.REJECTED;
             }
             try {
                 room.acquire();
@@ -63,17 +63,16 @@ final class BoundedMailbox {
         return Admission.QUEUED;
     }
 
-    private Admission admitDropping(Node call, ActorCell cell, ArrayDeque<Node> waiting) {
+    private Admission admitDropping(Node call, ActorCell cell, BoundedQueue<Node> waiting) {
         Node oldest;
         synchronized (waiting) {
-            oldest = waiting.size() < capacity ? null : waiting.pollFirst();
-            waiting.addLast(call);
+            oldest = waiting.offer(call);
         }
         if (oldest == null) {
             return Admission.QUEUED;
         }
         cell.drop(oldest, reason());
-        return Admission.TAKEN_IN;
+        return Admission.STORED;
     }
 
     /** Takes the call that is to be delivered for this ticket. */
@@ -83,7 +82,7 @@ final class BoundedMailbox {
             return ticket;
         }
         synchronized (calls) {
-            return Objects.requireNonNull(calls.pollFirst(), "a ticket without a call");
+            return Objects.requireNonNull(calls.poll(), "a ticket without a call");
         }
     }
 
@@ -94,7 +93,7 @@ final class BoundedMailbox {
             return;
         }
         synchronized (calls) {
-            calls.removeLastOccurrence(call);
+            calls.removeLast(call);
         }
     }
 
@@ -104,7 +103,7 @@ final class BoundedMailbox {
             return ticket;
         }
         synchronized (calls) {
-            return Objects.requireNonNull(calls.peekFirst(), "a ticket without a call");
+            return Objects.requireNonNull(calls.peek(), "a ticket without a call");
         }
     }
 
@@ -114,16 +113,7 @@ final class BoundedMailbox {
             return -1;
         }
         synchronized (calls) {
-            int place = 0;
-            for (Node each : calls) {
-                if (Nodes.carries(each, call)) {
-                    return place;
-                }
-                if (++place == limit) {
-                    break;
-                }
-            }
-            return -1;
+            return calls.placeOf(each -> Nodes.carries(each, call), limit);
         }
     }
 

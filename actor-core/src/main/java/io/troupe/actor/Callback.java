@@ -10,15 +10,16 @@ import org.jspecify.annotations.Nullable;
 /**
  * A parameter type through which an actor sends many results to its caller.
  *
- * <p><b>Role.</b> A parameter type of actor methods. The caller passes a lambda, as in the paper:
- * {@code robot.wander((colour, error) -> ..)}; the actor calls {@link #next}, and at the end {@link #finish} or
- * {@link #fail}. To cancel, or to be notified of the end, pass a {@link Stream}.
+ * <p><b>Role.</b> A parameter type of actor methods. The actor calls {@link #next}, and at the end {@link #finish} or
+ * {@link #fail}. The caller passes a {@link Stream}: it is notified of the results and of the end, and can be
+ * cancelled. A caller that needs the results only may pass a lambda, as in the paper: {@code robot.wander((colour,
+ * error) -> ..)}; it receives a failure as an error, and is not notified of an end without one.
  *
  * {@snippet :
- * camera.watch((colour, error) -> log.add("saw " + colour));
- *
  * var stream = new Callback.Stream<Integer>(colour -> log.add("got " + colour), end -> log.add("end " + end));
  * camera.watch(stream); // stream.cancel() ends it
+ *
+ * camera.watch((colour, error) -> log.add("saw " + colour));
  * }
  *
  * <p><b>Threads.</b> The actor may call it from any thread. The caller's implementation runs on the caller's space, as
@@ -65,12 +66,12 @@ public interface Callback<T extends @Nullable Object> {
      * which results are kept while it is slow.
      */
     final class Stream<T extends @Nullable Object> implements Callback<T> {
-        private final Backlog backlog;
+        private final int capacity;
         private final Consumer<? super T> onNext;
         private final Consumer<@Nullable Throwable> onEnd;
         private final boolean tellsOfCancellation;
         private final AtomicBoolean over = new AtomicBoolean();
-        private final AtomicLong skipped = new AtomicLong();
+        private final AtomicLong dropped = new AtomicLong();
         private volatile @Nullable ReturningCallback<?> receiver; // of the call or topic that got this stream last
 
         /**
@@ -80,27 +81,32 @@ public interface Callback<T extends @Nullable Object> {
          * @param onEnd receives the end, once: null for success, a {@link CancellationException} after {@link #cancel}
          */
         public Stream(Consumer<? super T> onNext, Consumer<@Nullable Throwable> onEnd) {
-            this(Backlog.ALL, onNext, onEnd);
+            this(Integer.MAX_VALUE, onNext, onEnd);
         }
 
         /**
-         * Creates a stream that skips results while it is slow.
+         * Creates a stream that drops results while it is slow. The results that are kept arrive in the order in which
+         * they were sent. A result for which there is no room takes the turn of the oldest one, so it may overtake
+         * other callbacks that its sender queued in between. The end is always delivered, after the results.
          *
-         * @param backlog which of the queued results are kept
+         * @param capacity the number of results that may be queued, 1 or more; one more drops the oldest
          * @param onNext receives each result that is kept
          * @param onEnd receives the end, once: null for success, a {@link CancellationException} after {@link #cancel}
          */
-        public Stream(Backlog backlog, Consumer<? super T> onNext, Consumer<@Nullable Throwable> onEnd) {
-            this(backlog, onNext, onEnd, true);
+        public Stream(int capacity, Consumer<? super T> onNext, Consumer<@Nullable Throwable> onEnd) {
+            this(capacity, onNext, onEnd, true);
         }
 
         Stream(
-                Backlog backlog,
+                int capacity,
                 Consumer<? super T> onNext,
                 Consumer<@Nullable Throwable> onEnd,
                 boolean tellsOfCancellation) {
             this.tellsOfCancellation = tellsOfCancellation;
-            this.backlog = Objects.requireNonNull(backlog, "backlog");
+            if (capacity < 1) {
+                throw new IllegalArgumentException("capacity is " + capacity + ", expected 1 or more");
+            }
+            this.capacity = capacity;
             this.onNext = Objects.requireNonNull(onNext, "onNext");
             this.onEnd = Objects.requireNonNull(onEnd, "onEnd");
         }
@@ -130,17 +136,17 @@ public interface Callback<T extends @Nullable Object> {
             receiver = next;
         }
 
-        /** The number of results that were replaced by newer ones before they were received; any thread. */
-        public long skipped() {
-            return skipped.get();
+        /** The number of results that were dropped, because newer ones took their place in the queue; any thread. */
+        public long dropped() {
+            return dropped.get();
         }
 
-        Backlog backlog() {
-            return backlog;
+        int capacity() {
+            return capacity;
         }
 
-        void noteSkipped() {
-            skipped.incrementAndGet();
+        void noteDropped() {
+            dropped.incrementAndGet();
         }
 
         @Override
@@ -165,7 +171,7 @@ public interface Callback<T extends @Nullable Object> {
 
         @Override
         public String toString() {
-            return "stream" + (over.get() ? ", ended" : "") + (skipped() > 0 ? ", skipped " + skipped() : "");
+            return "stream" + (over.get() ? ", ended" : "") + (dropped() > 0 ? ", dropped " + dropped() : "");
         }
 
         private void end(@Nullable Throwable error) {

@@ -1,19 +1,20 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.actor.internal.loop.Home;
-import java.util.ArrayDeque;
+import io.troupe.actor.internal.loop.Owner;
 import java.util.Objects;
 import java.util.concurrent.Flow;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** See {@link ActorSpace#publisher}. */
-record CallbackPublisher<T>(SpaceHome space, Backlog backlog, Consumer<? super Callback<T>> source)
+record CallbackPublisher<T>(SpaceHome space, int capacity, Consumer<? super Callback<T>> source)
         implements Flow.Publisher<T> {
     @Override
     public void subscribe(Flow.Subscriber<? super T> subscriber) {
         Objects.requireNonNull(subscriber, "subscriber");
-        Incarnation owner = Home.current() == space && space.owner() instanceof Incarnation life ? life : null;
+        Owner owner = Home.current() == space && space.owner() instanceof Incarnation life ? life : space.itself();
         new Subscription<>(this, subscriber, owner).begin();
     }
 
@@ -31,21 +32,21 @@ record CallbackPublisher<T>(SpaceHome space, Backlog backlog, Consumer<? super C
         private static final int BATCH = 64; // so that a long backlog leaves time for others
 
         private final CallbackPublisher<T> publisher;
-        private final @Nullable Incarnation owner;
+        private final Owner owner;
         private final Callback.Stream<T> stream;
-        private final ArrayDeque<T> waiting = new ArrayDeque<>(); // received, and not yet requested
+        private final BoundedQueue<T> waiting; // received, and not yet requested
         private Flow.@Nullable Subscriber<? super T> subscriber; // null after the end
         private volatile boolean cancelled;
         private long requested;
         private boolean ended;
         private @Nullable Throwable failure;
 
-        Subscription(
-                CallbackPublisher<T> publisher, Flow.Subscriber<? super T> subscriber, @Nullable Incarnation owner) {
+        Subscription(CallbackPublisher<T> publisher, Flow.Subscriber<? super T> subscriber, Owner owner) {
             this.publisher = publisher;
             this.subscriber = subscriber;
             this.owner = owner;
-            this.stream = new Callback.Stream<>(publisher.backlog, this::arrived, this::ended);
+            this.waiting = BoundedQueue.droppingOldest(publisher.capacity);
+            this.stream = new Callback.Stream<>(publisher.capacity, this::arrived, this::ended);
         }
 
         void begin() {
@@ -92,9 +93,7 @@ record CallbackPublisher<T>(SpaceHome space, Backlog backlog, Consumer<? super C
 
         /** Runs a task on behalf of the subscribing actor; if that has stopped, there is nothing more to do. */
         private void guard(Runnable task) {
-            if (owner == null) {
-                publisher.space.runGuarded(task);
-            } else if (!owner.run("a subscriber", task)) {
+            if (!owner.run("a subscriber", task)) {
                 cancelled = true;
                 stream.cancel();
                 forget();
@@ -106,7 +105,7 @@ record CallbackPublisher<T>(SpaceHome space, Backlog backlog, Consumer<? super C
                 requested = requested + count < 0 ? Long.MAX_VALUE : requested + count;
                 deliver();
             } else if (!cancelled) {
-                waiting.clear();
+                waiting.drain();
                 ended = true;
                 failure = new IllegalArgumentException("request(" + count
                         + "), expected 1 or more: rule 3.9 forbids a non-positive subscription request");
@@ -121,11 +120,9 @@ record CallbackPublisher<T>(SpaceHome space, Backlog backlog, Consumer<? super C
                 return;
             }
             if (!ended && !cancelled) {
-                if (waiting.size() == publisher.backlog.most()) {
-                    waiting.removeFirst();
-                    stream.noteSkipped();
+                if (waiting.offer(value) != null) {
+                    stream.noteDropped();
                 }
-                waiting.addLast(value);
                 deliver();
             }
         }
@@ -144,7 +141,7 @@ record CallbackPublisher<T>(SpaceHome space, Backlog backlog, Consumer<? super C
                     queue(this::deliver);
                     return;
                 }
-                T value = waiting.removeFirst();
+                T value = Objects.requireNonNull(waiting.poll());
                 requested -= requested == Long.MAX_VALUE ? 0 : 1;
                 var reader = Objects.requireNonNull(subscriber);
                 signal(() -> reader.onNext(value));
@@ -174,7 +171,7 @@ record CallbackPublisher<T>(SpaceHome space, Backlog backlog, Consumer<? super C
 
         private void forget() {
             subscriber = null;
-            waiting.clear();
+            waiting.drain();
         }
 
         @Override

@@ -15,7 +15,6 @@ final class EarlyClasses {
             "io.troupe.actor.ActorSettings$Overflow",
             "io.troupe.actor.ActorStoppedException$WithoutMemory",
             "io.troupe.actor.ActorType",
-            "io.troupe.actor.Backlog",
             "io.troupe.actor.BoundedMailbox$Admission",
             "io.troupe.actor.CallObserver$Turn",
             "io.troupe.actor.CleanThreads",

@@ -95,8 +95,8 @@ final class Incarnation extends Owner {
         return true;
     }
 
-    /** Runs an action on behalf of this incarnation; false if it has ended. */
-    boolean run(String what, Runnable action) {
+    @Override
+    public boolean run(String what, Runnable action) {
         if (isOver()) {
             return false;
         }

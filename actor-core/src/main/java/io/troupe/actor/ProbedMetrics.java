@@ -92,8 +92,8 @@ final class ProbedMetrics implements SpaceMetrics {
     }
 
     @Override
-    public long shed() {
-        return reports.shed();
+    public long abandoned() {
+        return reports.abandoned();
     }
 
     @Override
@@ -104,8 +104,16 @@ final class ProbedMetrics implements SpaceMetrics {
     /** Calls the other methods, and so sends a probe. */
     @Override
     public String toString() {
-        return "served %d, waiting %d, latency %s, actors %d, timers %d, errors %d, dead letters %d, shed %d, expired %d"
+        return "served %d, waiting %d, latency %s, actors %d, timers %d, errors %d, dead letters %d, abandoned %d, expired %d"
                 .formatted(
-                        served(), waiting(), latency(), actors(), timers(), errors(), deadLetters(), shed(), expired());
+                        served(),
+                        waiting(),
+                        latency(),
+                        actors(),
+                        timers(),
+                        errors(),
+                        deadLetters(),
+                        abandoned(),
+                        expired());
     }
 }

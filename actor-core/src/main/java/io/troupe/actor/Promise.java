@@ -237,6 +237,34 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     /**
+     * Calls the listener with the value or the error, at the end of a chain: like {@link #whenComplete}, without a
+     * further promise. What the listener throws is reported.
+     *
+     * {@snippet :
+     * greeter.greet("Ada").onSettled((answer, error) -> log.add(error == null ? answer : "nobody is there"));
+     * }
+     */
+    public final void onSettled(BiConsumer<? super @Nullable T, ? super @Nullable Throwable> listener) {
+        whenComplete(listener);
+    }
+
+    /**
+     * Calls the listener with the error, if there is one, at the end of a chain. What the listener throws is reported.
+     *
+     * {@snippet :
+     * greeter.greet("Ada").thenAccept(log::add).onRejected(error -> log.add("nobody is there"));
+     * }
+     */
+    public final void onRejected(Consumer<? super Throwable> listener) {
+        Objects.requireNonNull(listener, "listener");
+        whenComplete((value, error) -> {
+            if (error != null) {
+                listener.accept(error);
+            }
+        });
+    }
+
+    /**
      * A {@code finally}: runs an action after the value or the error; the returned promise then has the same outcome.
      * An exception of the action is the outcome instead, with an error of this promise as a suppressed exception.
      */
@@ -283,7 +311,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     /**
      * Rejects this promise with a {@link CancellationException}, unless it is settled. A request still waiting in a
-     * mailbox is then skipped. One that has begun continues, and its result is ignored.
+     * mailbox is then dropped. One that has begun continues, and its result is ignored.
      *
      * <p><b>Threads.</b> Any thread. A promise made on the thread of a space, by a call or as a listener there, is
      * rejected when that thread processes the cancellation.
@@ -299,7 +327,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     /**
-     * Called on the cancelling thread after this promise was cancelled. For promises whose work can then be skipped.
+     * Called on the cancelling thread after this promise was cancelled. For promises whose work can then be dropped.
      */
     void cancelled() {}
 

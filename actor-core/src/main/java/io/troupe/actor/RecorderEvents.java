@@ -104,8 +104,8 @@ final class RecorderEvents {
         @Label("Dead Letters")
         long deadLetters;
 
-        @Label("Shed Requests")
-        long shed;
+        @Label("Abandoned Requests")
+        long abandoned;
 
         @Label("Expired Time Limits")
         long expired;
@@ -120,7 +120,7 @@ final class RecorderEvents {
             timers = metrics.timers();
             errors = metrics.errors();
             deadLetters = metrics.deadLetters();
-            shed = metrics.shed();
+            abandoned = metrics.abandoned();
             expired = metrics.expired();
         }
     }

@@ -67,7 +67,7 @@ final class Reports {
     private final SpaceSettings settings;
     private final AtomicLong errors = new AtomicLong(); // never allocates
     private final LongAdder deadLetters = new LongAdder();
-    private final LongAdder shed = new LongAdder();
+    private final LongAdder abandoned = new LongAdder();
     private final LongAdder expired = new LongAdder();
 
     Reports(SpaceHome space, SpaceSettings settings) {
@@ -83,8 +83,8 @@ final class Reports {
         return deadLetters.sum();
     }
 
-    long shed() {
-        return shed.sum();
+    long abandoned() {
+        return abandoned.sum();
     }
 
     long expired() {
@@ -257,7 +257,7 @@ final class Reports {
 
     /** Counts a request that was cancelled or given up before it began, and ends its callbacks. */
     void skip(Request<?> request) {
-        shed.increment();
+        abandoned.increment();
         Throwable error;
         try {
             error = new CancellationException(request.name() + " was cancelled or given up before it began");

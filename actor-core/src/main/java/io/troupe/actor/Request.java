@@ -112,7 +112,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         receiver.timedOut(this);
     }
 
-    /** True if this request may have been given up: {@link #shed} decides. */
+    /** True if this request may have been given up: {@link #dropIfAbandoned} decides. */
     @Override
     final boolean mayBeGivenUp() {
         return timedOut;
@@ -122,7 +122,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
      * Rejects this request, which has not begun, if the time limits of all its listeners have passed; false if it is to
      * begin. On the space's thread.
      */
-    public final boolean shed() {
+    public final boolean dropIfAbandoned() {
         return timedOut
                 && isGivenUp()
                 && (isDone()

@@ -1,9 +1,10 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.actor.internal.CancellationFlag;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
-import java.util.ArrayDeque;
+import io.troupe.actor.internal.loop.Owner;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
@@ -35,7 +36,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     private final Callback<T> reader;
     private final SpaceHome home;
-    private final @Nullable Incarnation owner;
+    private final Owner owner; // an incarnation, or the home itself
     private final @Nullable CancellationFlag flag; // of a reader of this library
     private final boolean mayCancel; // the reader, by an isCancelled() of its class
     private final @Nullable NewestResults<T> newest; // only if the reader does not receive every result
@@ -45,15 +46,15 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     private volatile boolean asked; // the reader, on its space, whether it has cancelled
     private boolean isEndDelivered; // on the reader's space
 
-    private ReturningCallback(Callback<T> reader, SpaceHome home, @Nullable Incarnation owner) {
+    private ReturningCallback(Callback<T> reader, SpaceHome home, Owner owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
         Stream<T> stream = reader instanceof Stream<T> receiving ? receiving : null;
         this.flag = stream != null ? stream::isCancelled : reader instanceof CancellationFlag own ? own : null;
         this.mayCancel = flag == null && OWN_IS_CANCELLED.get(reader.getClass());
-        this.newest = stream != null && stream.backlog().isBounded()
-                ? new NewestResults<>(home, stream.backlog().most(), stream::noteSkipped)
+        this.newest = stream != null && stream.capacity() != Integer.MAX_VALUE
+                ? new NewestResults<>(home, stream.capacity(), stream::noteDropped)
                 : null;
         if (stream != null) {
             stream.setReceiver(this);
@@ -72,8 +73,9 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
         SpaceHome caller = Home.current() instanceof SpaceHome here ? here : null;
         return caller == null
-                ? new ReturningCallback<>(reader, ifOutside, null)
-                : new ReturningCallback<>(reader, caller, caller.owner() instanceof Incarnation life ? life : null);
+                ? new ReturningCallback<>(reader, ifOutside, ifOutside.itself())
+                : new ReturningCallback<>(
+                        reader, caller, caller.owner() instanceof Incarnation life ? life : caller.itself());
     }
 
     /** True if no more results can arrive, as far as is known: this runs no code of the reader. */
@@ -108,13 +110,13 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     void noteReturned() {
         CallObserver observer = home.settings.callObserver();
         if (observer != null) {
-            ObservedCalls.returned(observer, home, owner == null ? home.itself() : owner);
+            ObservedCalls.returned(observer, home, owner);
         }
     }
 
     /** Runs code of the reader on its space and on its behalf: at once if it is the caller. */
     void runAtReader(Runnable code) {
-        if (home.isCurrent() && (owner == null || home.owner() == owner)) {
+        if (home.isCurrent() && (owner == home.itself() || home.owner() == owner)) {
             code.run();
         } else if (!home.enqueueUnderLock(new AtReader(code))) {
             rejectLeftovers();
@@ -198,7 +200,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     private boolean isKnownAsGone() {
-        return readerGone || owner != null && owner.isOver() || flag != null && flag.isCancelled();
+        return readerGone || owner.isOver() || flag != null && flag.isCancelled();
     }
 
     /** Makes the reader note on its space whether it has cancelled. */
@@ -263,26 +265,25 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
      */
     private static final class NewestResults<T extends @Nullable Object> {
         private final SpaceHome home;
-        private final int most;
-        private final Runnable noteSkipped;
-        private final ArrayDeque<ReturningCallback<T>.Result> results = new ArrayDeque<>(); // guarded by this
+        private final Runnable noteDropped;
+        private final BoundedQueue<ReturningCallback<T>.Result> results; // guarded by this
         private int tickets; // guarded by this; those in the space's queues
 
-        NewestResults(SpaceHome home, int most, Runnable noteSkipped) {
+        NewestResults(SpaceHome home, int capacity, Runnable noteDropped) {
             this.home = home;
-            this.most = most;
-            this.noteSkipped = noteSkipped;
+            this.results = BoundedQueue.droppingOldest(capacity);
+            this.noteDropped = noteDropped;
         }
 
         /** Returns false if the space is closed. */
         synchronized boolean queue(ReturningCallback<T>.Result next) {
             var last = results.peekLast();
             if (last == null || !last.isEnd()) { // else its sender lost a race against the end
-                if (!next.isEnd() && results.size() == most) {
-                    results.pollFirst();
-                    noteSkipped.run();
+                if (next.isEnd()) {
+                    results.offerEnd(next);
+                } else if (results.offer(next) != null) {
+                    noteDropped.run();
                 }
-                results.addLast(next);
             }
             boolean isOpen = true;
             while (tickets < results.size()) {
@@ -295,7 +296,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         /** Takes the oldest result; null if a sender's stack overflowed after it had queued a ticket. */
         private synchronized ReturningCallback<T>.@Nullable Result next() {
             tickets--;
-            return results.pollFirst();
+            return results.poll();
         }
 
         private final class Ticket extends Node {
@@ -317,9 +318,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
         @Override
         protected @Nullable Node serve() {
-            if (owner == null) {
-                home.runGuarded(code);
-            } else if (!owner.run("a listener", code)) {
+            if (!owner.run("a listener", code)) {
                 readerGone = true;
             }
             return null;
@@ -347,8 +346,6 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
             isEndDelivered = isEnd();
             if (home.hasEnded() && kind != Kind.FAIL_EVEN_IF_CLOSED) {
                 readerGone = true; // the sender's thread is rejecting what is left in the queues
-            } else if (owner == null) {
-                home.runGuarded(this);
             } else if (!owner.run("a listener", this)) {
                 readerGone = true; // the receiving actor has stopped
             }

@@ -37,7 +37,10 @@ final class SpaceBean implements DynamicMBean {
         figure("Timers", "timers that are set", () -> metrics.timers());
         figure("Errors", "errors reported to error handlers", metrics::errors);
         figure("DeadLetters", "messages that were not delivered", metrics::deadLetters);
-        figure("Shed", "requests that were not begun, because their callers had given them up", metrics::shed);
+        figure(
+                "Abandoned",
+                "requests that were not begun, because their callers had given them up",
+                metrics::abandoned);
         figure("Expired", "time limits of promises that have passed", metrics::expired);
     }
 

@@ -351,7 +351,8 @@ final class SpaceHome extends Home {
     }
 
     /** Runs a task on the space's own behalf and reports what it throws. */
-    void runGuarded(Runnable task) {
+    @Override
+    protected void runGuarded(Runnable task) {
         beginForItself();
         try {
             task.run();

@@ -41,7 +41,7 @@ public interface SpaceMetrics {
     long deadLetters();
 
     /** Requests that were not begun, because their callers had cancelled them or their time limits had passed. */
-    long shed();
+    long abandoned();
 
     /** Time limits of promises that have passed: those set in this space, or outside every space on its promises. */
     long expired();

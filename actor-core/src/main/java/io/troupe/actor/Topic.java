@@ -30,8 +30,8 @@ import org.jspecify.annotations.Nullable;
  * subscribing actor has stopped or restarted.
  *
  * <p><b>Cost.</b> Publishing holds a lock while it queues one entry for each subscriber. These entries accumulate if a
- * subscriber is slower than its publishers for long, unless it subscribes with a {@link Backlog}. A subscriber that is
- * gone is removed by the next call of any method.
+ * subscriber is slower than its publishers for long, unless it subscribes with a capacity. A subscriber that is gone is
+ * removed by the next call of any method.
  *
  * <p><b>Errors.</b> A value without subscribers, or after the end, is not delivered: {@link #publish} returns 0. An
  * exception of a subscriber is a failure of that subscriber.
@@ -99,18 +99,25 @@ public final class Topic<T> {
      * @return the subscription, to be cancelled from any thread
      */
     public Callback.Stream<T> subscribe(Consumer<? super T> onValue) {
-        return subscribe(Backlog.ALL, onValue);
+        return subscribe(Integer.MAX_VALUE, onValue);
     }
 
     /**
-     * Like {@link #subscribe(Consumer)}, for a subscriber that may skip values while it is slow. A backlog for a
-     * subscriber that is notified of the end is an argument of its {@link Callback.Stream}.
+     * Like {@link #subscribe(Consumer)}, for a subscriber that needs only the newest values, as of a sensor. The
+     * capacity for a subscriber that is notified of the end is an argument of its {@link Callback.Stream}.
      *
-     * @param backlog which of the queued values are kept
+     * {@snippet :
+     * Callback.Stream<Integer> newest = colours.subscribe(1, colour -> log.add("saw " + colour));
+     * colours.publish(0xFF0000);
+     * colours.publish(0x00FF00); // drops the first, unless that was received meanwhile
+     * long lost = newest.dropped();
+     * }
+     *
+     * @param capacity the number of values that may be queued; one more drops the oldest
      */
-    public Callback.Stream<T> subscribe(Backlog backlog, Consumer<? super T> onValue) {
+    public Callback.Stream<T> subscribe(int capacity, Consumer<? super T> onValue) {
         Objects.requireNonNull(onValue, "onValue");
-        var stream = new Callback.Stream<T>(backlog, onValue, this::refuseFailure, false);
+        var stream = new Callback.Stream<T>(capacity, onValue, this::refuseFailure, false);
         addReader(ReturningCallback.to(stream, space.home));
         return stream;
     }

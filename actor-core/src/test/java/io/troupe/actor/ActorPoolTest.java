@@ -396,9 +396,9 @@ class ActorPoolTest extends InTestSpace {
     }
 
     @Test
-    void streamOfABroadcast_keepsItsBacklog_andItsCancellationIsSeenByAll() {
+    void streamOfABroadcast_keepsItsCapacity_andItsCancellationIsSeenByAll() {
         List<Object> seen = new ArrayList<>();
-        var stream = new Callback.Stream<Integer>(Backlog.newest(2), seen::add, end -> seen.add("end"));
+        var stream = new Callback.Stream<Integer>(2, seen::add, end -> seen.add("end"));
         test.run(() -> watched().broadcast().watch(stream));
         runQueued();
         for (int number = 0; number < 9; number++) {

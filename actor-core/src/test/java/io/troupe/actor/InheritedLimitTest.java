@@ -95,7 +95,7 @@ class InheritedLimitTest extends InTestSpace {
         test.advance(LIMIT);
         assertThat(log).isEmpty();
         assertThat(test.space().metrics().expired()).isEqualTo(3);
-        assertThat(test.space().metrics().shed()).isEqualTo(1);
+        assertThat(test.space().metrics().abandoned()).isEqualTo(1);
         assertThat(test.space().metrics().timers()).isZero();
     }
 
@@ -260,7 +260,7 @@ class InheritedLimitTest extends InTestSpace {
         other.runQueued(); // before the space with the timer
         assertThat(test.error(answer)).isInstanceOf(TimeoutException.class);
         assertThat(log).isEmpty();
-        assertThat(other.metrics().shed()).isEqualTo(1);
+        assertThat(other.metrics().abandoned()).isEqualTo(1);
         other.close();
     }
 

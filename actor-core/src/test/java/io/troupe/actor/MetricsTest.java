@@ -59,7 +59,7 @@ class MetricsTest extends InTestSpace {
         assertThat(metrics.served() - before).isEqualTo(4);
         assertThat(metrics)
                 .hasToString("served 5, waiting 0, latency PT0S, actors 1, timers 1, errors 1, dead letters 0, "
-                        + "shed 0, expired 0");
+                        + "abandoned 0, expired 0");
         stop(worker);
         worker.work(NOTHING);
         test.runQueued();
@@ -82,7 +82,7 @@ class MetricsTest extends InTestSpace {
         Asked asked = test.spawn(Asked.class, () -> answer -> answer);
         asked.ask(Promise.of("cancelled")).cancel();
         test.runQueued();
-        assertThat(metrics.shed()).isEqualTo(1);
+        assertThat(metrics.abandoned()).isEqualTo(1);
         test.run(() -> {
             asked.ask(new Deferred<>()).orTimeout(Duration.ofSeconds(1)).exceptionally(error -> "too late");
             asked.ask(new Deferred<>()).completeOnTimeout("instead", Duration.ofSeconds(1));
@@ -90,7 +90,7 @@ class MetricsTest extends InTestSpace {
         });
         test.advance(Duration.ofSeconds(1));
         assertThat(metrics.expired()).isEqualTo(2);
-        assertThat(metrics.shed()).isEqualTo(1);
+        assertThat(metrics.abandoned()).isEqualTo(1);
     }
 
     @Test
@@ -139,7 +139,7 @@ class MetricsTest extends InTestSpace {
                 .toList();
         assertThat(server.getAttributes(name, attributes.toArray(String[]::new)).asList())
                 .hasToString("[Served = 3, Waiting = 0, LatencyMicros = 0, Actors = 1, Timers = 0, Errors = 1, "
-                        + "DeadLetters = 0, Shed = 0, Expired = 0]");
+                        + "DeadLetters = 0, Abandoned = 0, Expired = 0]");
         assertThatThrownBy(() -> server.getAttribute(name, "Speed")).hasMessageStartingWith("Speed, expected one of");
         space.close();
         assertThat(server.isRegistered(name)).isFalse();

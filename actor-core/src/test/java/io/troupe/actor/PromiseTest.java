@@ -62,7 +62,7 @@ class PromiseTest extends InTestSpace {
         assertThat(cancelled)
                 .asString()
                 .startsWith("Echo.say(String) of Echo#1, rejected with java.util.concurrent.CancellationException: ");
-        var stream = new Callback.Stream<String>(Backlog.NEWEST, value -> {}, end -> {});
+        var stream = new Callback.Stream<String>(1, value -> {}, end -> {});
         assertThat(stream).hasToString("stream");
         Topic<String> topic = Topic.of(test.space(), "words");
         topic.subscribe(stream);
@@ -70,7 +70,7 @@ class PromiseTest extends InTestSpace {
         topic.publish("b");
         topic.finish();
         test.runQueued();
-        assertThat(stream).hasToString("stream, ended, skipped 1");
+        assertThat(stream).hasToString("stream, ended, dropped 1");
     }
 
     // ---- time limits and the last action
@@ -221,6 +221,23 @@ class PromiseTest extends InTestSpace {
     }
 
     @Test
+    void onSettled_isCalledWithTheValueOrTheError() {
+        deferred.onSettled((value, error) -> log.add(value + ", " + error));
+        deferred.resolve("x");
+        Promise.<String>failed(new IllegalStateException("on purpose"))
+                .onSettled((value, error) -> log.add(value + ", " + error.getMessage()));
+        assertThat(log).containsExactly("x, null", "null, on purpose");
+    }
+
+    @Test
+    void onRejected_isCalledWithTheErrorOnly() {
+        deferred.onRejected(error -> log.add("not called"));
+        deferred.resolve("x");
+        Promise.failed(new IllegalStateException("on purpose")).onRejected(error -> log.add(error.getMessage()));
+        assertThat(log).containsExactly("on purpose");
+    }
+
+    @Test
     void cancel_rejectsWithCancellation() {
         assertThat(deferred.cancel()).isTrue();
         assertThat(deferred.isCancelled()).isTrue();
@@ -307,6 +324,8 @@ class PromiseTest extends InTestSpace {
         refuses("listener", () -> promise.then((Consumer<Integer>) null));
         refuses("listener", () -> promise.then((BiConsumer<Integer, Throwable>) null));
         refuses("listener", () -> promise.whenComplete(null));
+        refuses("listener", () -> promise.onSettled(null));
+        refuses("listener", () -> promise.onRejected(null));
         refuses("function", () -> promise.thenApply(null));
         refuses("consumer", () -> promise.thenAccept(null));
         refuses("action", () -> promise.thenRun(null));

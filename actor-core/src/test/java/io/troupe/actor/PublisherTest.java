@@ -57,9 +57,9 @@ class PublisherTest extends InTestSpace {
         }
     }
 
-    private Reader subscribe(Backlog backlog) {
+    private Reader subscribe(int capacity) {
         var reader = new Reader();
-        test.space().<Integer>publisher(backlog, topic::subscribe).subscribe(reader);
+        test.space().<Integer>publisher(capacity, topic::subscribe).subscribe(reader);
         test.runQueued();
         return reader;
     }
@@ -76,7 +76,7 @@ class PublisherTest extends InTestSpace {
 
     @Test
     void subscriber_receivesWhatItRequests_andThenTheEnd() {
-        Reader reader = subscribe(Backlog.ALL);
+        Reader reader = subscribe(Integer.MAX_VALUE);
         publish(1, 3);
         assertThat(log).isEmpty();
         request(reader, 2);
@@ -89,11 +89,11 @@ class PublisherTest extends InTestSpace {
     }
 
     @Test
-    void subscriberThatRequestsTooLittle_skipsWhatTheBacklogDoesNotKeep() {
-        Reader reader = subscribe(Backlog.newest(2));
+    void subscriberThatRequestsTooLittle_dropsWhatHasNoRoom() {
+        Reader reader = subscribe(2);
         publish(1, 3);
         publish(4, 4);
-        assertThat(reader.subscription()).asString().endsWith("stream, skipped 2");
+        assertThat(reader.subscription()).asString().endsWith("stream, dropped 2");
         request(reader, Long.MAX_VALUE);
         request(reader, Long.MAX_VALUE);
         publish(5, 5);
@@ -103,8 +103,8 @@ class PublisherTest extends InTestSpace {
     }
 
     @Test
-    void longBacklog_leavesTimeForOthers() {
-        Reader reader = subscribe(Backlog.ALL);
+    void longQueue_leavesTimeForOthers() {
+        Reader reader = subscribe(Integer.MAX_VALUE);
         publish(1, 200);
         test.run(() -> {
             reader.subscription().request(200);
@@ -116,7 +116,7 @@ class PublisherTest extends InTestSpace {
 
     @Test
     void cancelledSubscriber_isForgottenByItsTopic() {
-        Reader reader = subscribe(Backlog.ALL);
+        Reader reader = subscribe(Integer.MAX_VALUE);
         request(reader, 10);
         publish(1, 1);
         topic.publish(2);
@@ -132,20 +132,17 @@ class PublisherTest extends InTestSpace {
         class Broken extends Actor {
             @Override
             protected void started() {
-                context()
-                        .space()
-                        .<Integer>publisher(Backlog.ALL, topic::subscribe)
-                        .subscribe(new Reader() {
-                            @Override
-                            public void onNext(Integer value) {
-                                throw new IllegalStateException("cannot use " + value);
-                            }
+                context().space().<Integer>publisher(topic::subscribe).subscribe(new Reader() {
+                    @Override
+                    public void onNext(Integer value) {
+                        throw new IllegalStateException("cannot use " + value);
+                    }
 
-                            @Override
-                            public void onSubscribe(Flow.Subscription fresh) {
-                                fresh.request(9);
-                            }
-                        });
+                    @Override
+                    public void onSubscribe(Flow.Subscription fresh) {
+                        fresh.request(9);
+                    }
+                });
             }
         }
         test.spawn(Broken.class, Broken::new);
@@ -164,10 +161,7 @@ class PublisherTest extends InTestSpace {
             @Override
             protected void started() {
                 var reader = new Reader();
-                context()
-                        .space()
-                        .<Integer>publisher(Backlog.ALL, topic::subscribe)
-                        .subscribe(reader);
+                context().space().<Integer>publisher(topic::subscribe).subscribe(reader);
                 context().after(Duration.ZERO, () -> reader.subscription().request(9));
             }
         }
@@ -182,11 +176,11 @@ class PublisherTest extends InTestSpace {
 
     @Test
     void sourceThatThrows_orANullResult_isTheFailureOfTheStream() {
-        Flow.Publisher<Integer> broken = test.space().publisher(Backlog.ALL, callback -> {
+        Flow.Publisher<Integer> broken = test.space().publisher(callback -> {
             throw new IllegalStateException("no source");
         });
         broken.subscribe(new Reader());
-        Flow.Publisher<Integer> empty = test.space().publisher(Backlog.ALL, callback -> callback.accept(null, null));
+        Flow.Publisher<Integer> empty = test.space().publisher(callback -> callback.accept(null, null));
         empty.subscribe(new Reader());
         test.runQueued();
         assertThat(log)
@@ -199,7 +193,7 @@ class PublisherTest extends InTestSpace {
     @Test
     void subscriptionOnAClosedSpace_fails() {
         var closed = new TestSpace();
-        Flow.Publisher<Integer> publisher = closed.space().publisher(Backlog.ALL, topic::subscribe);
+        Flow.Publisher<Integer> publisher = closed.space().publisher(topic::subscribe);
         closed.close();
         publisher.subscribe(new Reader());
         assertThat(log).singleElement().asString().startsWith("failed: subscribe(..) came too late");
@@ -212,7 +206,7 @@ class PublisherTest extends InTestSpace {
         List<Integer> received = new ArrayList<>();
         var processor = new SubmissionPublisher<Integer>(); // the subscriber closes it
         try (var space = ActorSpace.create(SpaceSettings.named("published"))) {
-            Flow.Publisher<Integer> publisher = space.publisher(Backlog.ALL, callback -> {
+            Flow.Publisher<Integer> publisher = space.publisher(callback -> {
                 IntStream.range(0, 1_000).forEach(callback::next);
                 callback.finish();
             });
@@ -259,7 +253,7 @@ class PublisherTest extends InTestSpace {
         @Override
         public Flow.Publisher<Integer> createFlowPublisher(long elements) {
             return space.publisher(
-                    Backlog.newest(1_024),
+                    1_024,
                     callback -> Thread.ofVirtual().start(() -> {
                         for (int number = 0; number < elements && !callback.isCancelled(); number++) {
                             callback.next(number);
@@ -272,8 +266,7 @@ class PublisherTest extends InTestSpace {
 
         @Override
         public Flow.Publisher<Integer> createFailedFlowPublisher() {
-            return space.publisher(
-                    Backlog.ALL, callback -> callback.fail(new IllegalStateException("expected by the kit")));
+            return space.publisher(callback -> callback.fail(new IllegalStateException("expected by the kit")));
         }
     }
 

@@ -3,7 +3,7 @@ package io.troupe.broker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An event at a broker.
+ * An event at a broker. There may be further kinds in later versions: a {@code switch} needs a {@code default}.
  *
  * {@snippet :
  * BrokerObserver observer = event -> {
@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * };
  * }
  */
-public sealed interface BrokerEvent {
+public interface BrokerEvent {
     record Registered(ServiceRecord provider) implements BrokerEvent {}
 
     /** The provider is being started on demand. */

@@ -2,6 +2,7 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.actor.internal.CancellationFlag;
 import io.troupe.bus.Address;
 import io.troupe.bus.BusPort;
@@ -9,7 +10,7 @@ import io.troupe.bus.internal.BoundedText;
 import io.troupe.bus.internal.CborItem;
 import java.lang.reflect.Type;
 import java.time.Duration;
-import java.util.ArrayDeque;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,14 +19,14 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> Any thread. <b>Order.</b> Parts leave in the order of their numbers, under the lock.
  *
  * <p><b>Errors.</b> At most {@link #MOST_UNANSWERED} items are without an answer of the reader, and at most
- * {@link #MOST_BUFFERED} more are kept here; one more ends the stream with an error on both sides. So does an item that
+ * {@link #CAPACITY} more are kept here; one more ends the stream with an error on both sides. So does an item that
  * cannot be encoded. A reader that has cancelled, is gone or does not answer ends it here, so that the actor sees
  * {@link #isCancelled}. The end is sent again until the reader has confirmed it, because a reader that has not got it
  * would wait for ever.
  */
 final class OutgoingStream implements Callback<@Nullable Object>, CancellationFlag {
     static final int MOST_UNANSWERED = 256;
-    static final int MOST_BUFFERED = 1_024;
+    static final int CAPACITY = 1_024;
     private static final Duration LIMIT = Duration.ofSeconds(10); // of the answer to an item
     private static final Duration END_LIMIT =
             Duration.ofSeconds(1); // of the answer to the end, and between two of them
@@ -37,7 +38,8 @@ final class OutgoingStream implements Callback<@Nullable Object>, CancellationFl
     private final long stream;
     private final Type type;
     private final CallableMethods.Values values;
-    private final ArrayDeque<CborItem> buffered = new ArrayDeque<>(); // guarded by this, as all fields below
+    private final BoundedQueue<CborItem> buffered =
+            BoundedQueue.rejecting(CAPACITY); // guarded by this, as all fields below
     private long last;
     private int unanswered;
     private CallMessages.@Nullable Part end; // behind the buffered items
@@ -77,13 +79,12 @@ final class OutgoingStream implements Callback<@Nullable Object>, CancellationFl
         if (over || end != null) {
             return;
         }
-        if (buffered.size() >= MOST_BUFFERED) {
-            buffered.clear();
+        if (buffered.offer(item) != null) {
+            buffered.drain();
             finish(failed(new IllegalStateException("the reader is too slow: " + MOST_UNANSWERED
-                    + " items have no answer, and " + MOST_BUFFERED + " more waited and are lost")));
+                    + " items have no answer, and " + CAPACITY + " more waited and are lost")));
             return;
         }
-        buffered.add(item);
         sendBuffered();
     }
 
@@ -106,7 +107,7 @@ final class OutgoingStream implements Callback<@Nullable Object>, CancellationFl
 
     private synchronized void sendBuffered() {
         while (!over && unanswered < MOST_UNANSWERED && !buffered.isEmpty()) {
-            send(new CallMessages.Item(buffered.remove()));
+            send(new CallMessages.Item(Objects.requireNonNull(buffered.poll())));
         }
         if (!over && end != null && buffered.isEmpty()) {
             finish(end);
@@ -143,7 +144,7 @@ final class OutgoingStream implements Callback<@Nullable Object>, CancellationFl
         if (received != null && received.wantsMore()) {
             sendBuffered();
         } else {
-            buffered.clear();
+            buffered.drain();
             if (error != null) { // the reader may still be there
                 finish(failed(error));
             } else {

@@ -84,7 +84,7 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
             current = null;
             mismatch = new IllegalArgumentException("\"" + need.by() + "\" calls " + ProviderRegistry.what(need)
                     + " as " + type.getName() + ", and its provider " + provider.provider() + " " + unfit);
-            refuseAllWaiting(mismatch);
+            rejectAllWaiting(mismatch);
         } else {
             watch(next);
             sendWaiting();
@@ -158,17 +158,18 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
         Duration left = ActorSpace.timeLeft();
         call.untilNanos = left == null ? Long.MAX_VALUE : nowNanos() + left.toNanos();
         if (mismatch != null) {
-            refuse(call, mismatch);
+            rejectUnsent(call, mismatch);
         } else if (canSend()) {
             send(call);
         } else if (waiting.size() >= settings.capacity()) {
-            refuse(call, notSent(call, "was refused: " + waiting.size() + " calls wait already, and " + noProvider));
+            rejectUnsent(
+                    call, notSent(call, "was rejected: " + waiting.size() + " calls wait already, and " + noProvider));
         } else {
             waiting.put(call.call, call);
             Duration limit = call.isOneWay() ? settings.oneWayLimit() : settings.waitLimit();
             call.limit = context().after(limit, () -> {
                 waiting.remove(call.call);
-                refuse(call, notSent(call, "found no provider within " + limit + ": " + noProvider));
+                rejectUnsent(call, notSent(call, "found no provider within " + limit + ": " + noProvider));
             });
         }
     }
@@ -207,8 +208,8 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
         Promise<?> answer;
         try {
             answer = to.send(type, call.call, remote, settings.answerLimit());
-        } catch (RunningActor.NotSentException refused) {
-            refuse(call, notSent(call, "was refused: " + Reasons.of(refused.why())));
+        } catch (RunningActor.NotSentException unsent) {
+            rejectUnsent(call, notSent(call, "was rejected: " + Reasons.of(unsent.why())));
             return;
         }
         if (answer != null) {
@@ -298,14 +299,14 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
                 null);
     }
 
-    private void refuseAllWaiting(Throwable why) {
+    private void rejectAllWaiting(Throwable why) {
         while (!waiting.isEmpty()) {
-            refuse(waiting.pollFirstEntry().getValue(), why);
+            rejectUnsent(waiting.pollFirstEntry().getValue(), why);
         }
     }
 
     /** Rejects a call that was not sent to any provider. */
-    private void refuse(PendingCall call, Throwable why) {
+    private void rejectUnsent(PendingCall call, Throwable why) {
         call.failCallbacks(why); // a one-way call has no promise to reject
         if (!call.reject(why)) {
             events().publish(new BrokerEvent.Undelivered(need, call.toString(), why));
@@ -322,7 +323,7 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
         first.reject(new IllegalStateException("the connection of \"" + need.by() + "\" was closed"));
         while (!waiting.isEmpty()) {
             PendingCall call = waiting.pollFirstEntry().getValue();
-            refuse(call, notSent(call, "was not sent: the connection is closed"));
+            rejectUnsent(call, notSent(call, "was not sent: the connection is closed"));
         }
         for (PendingCall call : List.copyOf(underWay.values())) {
             if (call.sentTo instanceof RemoteActor && call.sent != null) {

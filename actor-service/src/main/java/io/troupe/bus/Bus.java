@@ -398,9 +398,9 @@ public final class Bus implements AutoCloseable {
     private void cannotSend(BusMessage message, String why, long toIncarnation) {
         notifier.undeliverable(message, why);
         pendingRequests.rejectUnreachable(message.sequence(), why); // does nothing if the message is no request
-        if (message.purpose() instanceof Purpose.Reply reply) { // a refusal is small and may be sent successfully
+        if (message.purpose() instanceof Purpose.Reply reply) { // a rejection is small and may be sent successfully
             var purpose = new Purpose.Rejection(reply.to(), reply.operation(), reply.request());
-            var failure = new Failure.Abandoned("the answer could not be sent: " + why);
+            var failure = new Failure.Unanswered("the answer could not be sent: " + why);
             route(BusMessage.of(message.kind(), message.from(), purpose, nextNumber(), failure), toIncarnation);
         } else if (message.purpose() instanceof Purpose.Rejection rejection
                 && message.payload() instanceof Failure failure
@@ -408,7 +408,7 @@ public final class Bus implements AutoCloseable {
             String shorter = BoundedText.of("the reason could not be sent: " + why, MOST_OF_A_SHORT_REASON / 2);
             var again = failure instanceof Failure.NotDelivered
                     ? new Failure.NotDelivered(shorter)
-                    : new Failure.Abandoned(shorter);
+                    : new Failure.Unanswered(shorter);
             route(BusMessage.of(message.kind(), message.from(), rejection, nextNumber(), again), toIncarnation);
         }
     }
@@ -416,7 +416,7 @@ public final class Bus implements AutoCloseable {
     private static int lengthOf(Failure failure) {
         return switch (failure) {
             case Failure.NotDelivered(String why) -> why.length();
-            case Failure.Abandoned(String why) -> why.length();
+            case Failure.Unanswered(String why) -> why.length();
             case Failure.Failed(String type, String text) -> type.length() + text.length();
         };
     }
@@ -488,8 +488,8 @@ public final class Bus implements AutoCloseable {
     }
 
     /** Rejects a request that was delivered, and to which no reply will come. */
-    void abandon(Address receiver, MessageDelivery request, String why) {
-        reject(receiver, request, why, new Failure.Abandoned(why));
+    void leaveUnanswered(Address receiver, MessageDelivery request, String why) {
+        reject(receiver, request, why, new Failure.Unanswered(why));
     }
 
     private void reject(Address receiver, MessageDelivery request, String why, Record failure) {

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * is in {@code docs/wire-format.md}.
  *
  * <p><b>Threads.</b> The bus calls from any thread. No method but {@link #start} and {@link #close} may block; a frame
- * that cannot be passed on at once is refused by an exception, or dropped and reported by {@link Listener#lost}.
+ * that cannot be passed on at once is rejected by an exception, or dropped and reported by {@link Listener#lost}.
  *
  * <p><b>Order.</b> Frames that one node sends to another arrive in the order in which they were sent, or not at all; so
  * do the frames of one node on one topic. Frames to a node and frames on topics may overtake each other.
@@ -81,10 +81,10 @@ public interface BusEngine {
         void unreachable(String node, long number, String why);
 
         /**
-         * Frames of this node to that one are refused until further notice, for example because a permission is
+         * Frames of this node to that one are rejected until further notice, for example because a permission is
          * missing: nothing that was sent to it lately has arrived.
          */
-        void refused(String node, String why);
+        void rejected(String node, String why);
 
         /** That life of a node has ended, or is cut off: nothing receives replies to it. */
         void gone(String node, long incarnation);

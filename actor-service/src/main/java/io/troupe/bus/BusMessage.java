@@ -20,7 +20,7 @@ public sealed interface BusMessage {
     /** The sequence number of the message: one counter per node for all its ports, starting at 1. */
     long sequence();
 
-    /** A value of the topic's or operation's type; a {@link Failure} in a refusal. */
+    /** A value of the topic's or operation's type; a {@link Failure} in a rejection. */
     Record payload();
 
     /** Creates a message of that kind. */
@@ -45,7 +45,10 @@ public sealed interface BusMessage {
     /** Manages a service: invokes it, terminates it, checks its health. */
     record Control(Address from, Purpose purpose, long sequence, Record payload) implements BusMessage {}
 
-    /** The purpose of a message, which also determines its receivers. */
+    /**
+     * The purpose of a message, which also determines its receivers. There may be further kinds in later versions: an
+     * observer's {@code switch} needs a {@code default}.
+     */
     sealed interface Purpose {
         /** For all subscribers of the topic. */
         record Publication(String topic) implements Purpose {
@@ -87,12 +90,15 @@ public sealed interface BusMessage {
         record Rejection(Address to, String operation, long request) implements Purpose {
             @Override
             public String toString() {
-                return "refusal to " + to + " for " + operation;
+                return "rejection to " + to + " for " + operation;
             }
         }
     }
 
-    /** The reason why a request has no reply; its texts are {@linkplain BoundedText bounded}. */
+    /**
+     * The reason why a request has no reply; its texts are {@linkplain BoundedText bounded}. There may be further kinds
+     * in later versions: an observer's {@code switch} needs a {@code default}.
+     */
     sealed interface Failure {
         /** The bus could not deliver the request to a request handler. */
         record NotDelivered(String why) implements Failure {
@@ -102,8 +108,8 @@ public sealed interface BusMessage {
         }
 
         /** A request handler had received the request, but its reply did not come. */
-        record Abandoned(String why) implements Failure {
-            public Abandoned {
+        record Unanswered(String why) implements Failure {
+            public Unanswered {
                 why = BoundedText.of(why);
             }
         }

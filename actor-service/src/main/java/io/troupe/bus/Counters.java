@@ -9,11 +9,11 @@ final class Counters {
     final LongAdder delivered = new LongAdder();
     final LongAdder failed = new LongAdder();
     final LongAdder dropped = new LongAdder();
-    final LongAdder discarded = new LongAdder();
+    final LongAdder droppedAtEnd = new LongAdder();
     final LongAdder undeliverable = new LongAdder();
     final LongAdder asked = new LongAdder();
     final LongAdder answered = new LongAdder();
-    final LongAdder refused = new LongAdder();
+    final LongAdder rejected = new LongAdder();
     final LongAdder timedOut = new LongAdder();
     final LongAdder late = new LongAdder();
     final LongAdder replaced = new LongAdder();
@@ -28,11 +28,11 @@ final class Counters {
                 delivered.sum(),
                 failed.sum(),
                 dropped.sum(),
-                discarded.sum(),
+                droppedAtEnd.sum(),
                 undeliverable.sum(),
                 asked.sum(),
                 answered.sum(),
-                refused.sum(),
+                rejected.sum(),
                 timedOut.sum(),
                 late.sum(),
                 replaced.sum(),

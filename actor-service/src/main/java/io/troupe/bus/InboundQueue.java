@@ -1,13 +1,13 @@
 package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.Callback;
+import io.troupe.actor.LibraryAccess;
 import io.troupe.actor.Promise;
-import io.troupe.actor.Topic;
-import io.troupe.actor.internal.CancellationFlag;
-import java.util.ArrayDeque;
+import io.troupe.actor.internal.BoundedQueue;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.OwnerTask;
 import java.util.List;
-import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,26 +21,25 @@ abstract class InboundQueue {
 
     final Bus node;
     final BusPort port;
-    private final int capacity;
     private final ActorSpace space;
-    private final Topic<InboundQueue> wakeUps; // wakes the space; shows whether the actor still exists
-    private final ArrayDeque<MessageDelivery> waiting = new ArrayDeque<>(); // guarded by this
+    private final Owner owner; // the actor that created the queue, or its space
+    private final BoundedQueue<MessageDelivery> waiting; // guarded by this
     private boolean signalled; // guarded by this: a drain is scheduled on the space
     private volatile @Nullable String ended; // the reason; written under this
     private volatile @Nullable Promise<@Nullable Void> watch;
 
-    InboundQueue(BusPort port, String name, int capacity) {
+    InboundQueue(BusPort port, BoundedQueue<MessageDelivery> waiting) {
         this.port = port;
         this.node = port.node;
-        this.capacity = capacity;
+        this.waiting = waiting;
         ActorSpace here = ActorSpace.current();
         this.space = here == null ? node.settings.space() : here;
-        this.wakeUps = Topic.of(space, name);
+        Home home = LibraryAccess.home(space);
+        this.owner = here == null ? home.itself() : home.owner();
     }
 
     /** Starts delivery. Not in the constructor, because this publishes the queue to other threads. */
     final void open() {
-        wakeUps.subscribe(new Signal());
         Promise<@Nullable Void> closed = space.whenClosed();
         watch = closed;
         closed.toCompletableFuture().thenRun(() -> end("space " + space + " was closed"));
@@ -49,16 +48,11 @@ abstract class InboundQueue {
     /** Handles one message, on the space. */
     abstract void handle(MessageDelivery delivery);
 
-    /**
-     * Overflow policy: true to drop the oldest message, false to reject the newest. {@link #overflow} handles that
-     * message, outside the lock.
-     */
-    abstract boolean dropsOldest();
-
+    /** Handles the message for which there was no room; not under the lock. */
     abstract void overflow(MessageDelivery delivery);
 
     /** Called once, with the messages still queued at the end. */
-    abstract void discard(List<MessageDelivery> rest, String why);
+    abstract void dropAtEnd(List<MessageDelivery> rest, String why);
 
     /**
      * Queues a message.
@@ -66,17 +60,14 @@ abstract class InboundQueue {
      * @return null, or the reason why this queue has ended
      */
     final @Nullable String offer(MessageDelivery delivery) {
-        MessageDelivery tooMany = null;
+        MessageDelivery tooMany;
         boolean signal;
         synchronized (this) {
             if (ended != null) {
                 return ended;
             }
-            if (waiting.size() >= capacity) {
-                tooMany = dropsOldest() ? waiting.remove() : delivery;
-            }
+            tooMany = waiting.offer(delivery);
             if (tooMany != delivery) {
-                waiting.add(delivery);
                 accepted();
             }
             signal = !signalled;
@@ -107,8 +98,8 @@ abstract class InboundQueue {
     void taken(MessageDelivery delivery) {}
 
     private void signal() {
-        if (wakeUps.publish(this) == 0) {
-            end("the actor that listened has stopped");
+        if (!hasEnded()) {
+            OwnerTask.enqueue(owner, this::drain);
         }
     }
 
@@ -143,7 +134,7 @@ abstract class InboundQueue {
 
     /** Returns whether delivery has ended, also because the actor has stopped. */
     final boolean hasEnded() {
-        if (ended == null && wakeUps.subscribers() == 0) {
+        if (ended == null && owner.isOver()) {
             end("the actor that listened has stopped");
         }
         return ended != null;
@@ -153,7 +144,7 @@ abstract class InboundQueue {
         return ended;
     }
 
-    /** Ends delivery; the messages still queued are passed to {@link #discard}. */
+    /** Ends delivery; the messages still queued are passed to {@link #dropAtEnd}. */
     final void end(String why) {
         List<MessageDelivery> rest;
         synchronized (this) {
@@ -161,26 +152,13 @@ abstract class InboundQueue {
                 return;
             }
             ended = why;
-            rest = List.copyOf(waiting);
-            waiting.clear();
+            rest = waiting.drain();
         }
         Promise<?> watching = watch;
         if (watching != null) {
             watching.cancel();
         }
         port.forget(this);
-        discard(rest, why);
-    }
-
-    private final class Signal implements Callback<InboundQueue>, CancellationFlag {
-        @Override
-        public void accept(@Nullable InboundQueue queue, @Nullable Throwable error) {
-            Objects.requireNonNull(queue).drain();
-        }
-
-        @Override
-        public boolean isCancelled() {
-            return ended != null;
-        }
+        dropAtEnd(rest, why);
     }
 }

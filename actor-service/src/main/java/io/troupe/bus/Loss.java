@@ -5,10 +5,11 @@ import java.time.Duration;
 
 /**
  * A message that was not delivered, or a reply that was no longer awaited. Each is reported once to the bus's observer.
+ * There may be further kinds in later versions: a {@code switch} needs a {@code default}.
  *
  * <p>Users meet it as the argument of {@link BusObserver#lost}.
  */
-public sealed interface Loss {
+public interface Loss {
     /**
      * The queue of a subscriber was full, and its oldest value was removed.
      *
@@ -22,14 +23,14 @@ public sealed interface Loss {
     }
 
     /** A subscription ended with values still queued, which are not delivered. */
-    record Discarded(Address subscriber, String topic, int count, String why) implements Loss {
+    record DroppedAtEnd(Address subscriber, String topic, int count, String why) implements Loss {
         @Override
         public String toString() {
-            return subscriber + " does not receive " + count + " values of " + topic + " that waited: " + why;
+            return count + " values of " + topic + " for " + subscriber + " were dropped: " + why;
         }
     }
 
-    /** A reply or refusal arrived when its request was no longer pending. */
+    /** A reply or rejection arrived when its request was no longer pending. */
     record Late(BusMessage reply, String why) implements Loss {
         @Override
         public String toString() {

@@ -3,6 +3,7 @@ package io.troupe.bus;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.LibraryAccess;
 import io.troupe.actor.Promise;
+import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.bus.internal.BoundedText;
 import io.troupe.bus.internal.NotBegunException;
 import java.util.ArrayList;
@@ -40,7 +41,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     OperationHandler(BusPort port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler) {
-        super(port, port.address() + " answers " + operation.name(), port.node.settings.capacity());
+        super(port, BoundedQueue.rejecting(port.node.settings.capacity()));
         this.operation = operation;
         this.handler = handler;
     }
@@ -269,11 +270,6 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     @Override
-    boolean dropsOldest() {
-        return false;
-    }
-
-    @Override
     void overflow(MessageDelivery request) {
         rejectBusy(request, "wait there");
     }
@@ -286,7 +282,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     @Override
-    void discard(List<MessageDelivery> rest, String why) {
+    void dropAtEnd(List<MessageDelivery> rest, String why) {
         rest.forEach(request -> node.reject(port.address(), request, "left before it answered: " + why));
         rejectBegun(why);
     }
@@ -297,6 +293,6 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
             open = List.copyOf(begun.values());
             begun.clear();
         }
-        open.forEach(each -> node.abandon(port.address(), each.request, "left before it answered: " + why));
+        open.forEach(each -> node.leaveUnanswered(port.address(), each.request, "left before it answered: " + why));
     }
 }

@@ -91,7 +91,7 @@ final class PendingRequests {
         }
     }
 
-    /** A reply or a refusal has arrived. */
+    /** A reply or a rejection has arrived. */
     void settle(BusMessage reply, long request) {
         PendingRequest<?> asked = pending.get(request);
         if (asked != null && !asked.isAnsweredBy(reply)) {
@@ -143,7 +143,7 @@ final class PendingRequests {
     }
 
     private void reject(PendingRequest<?> asked, String why, boolean mayHaveRun) {
-        PendingRequest.counted(node.counters.refused, asked.reject(asked.error(why, mayHaveRun)));
+        PendingRequest.counted(node.counters.rejected, asked.reject(asked.error(why, mayHaveRun)));
     }
 
     /** The number of pending requests. */
@@ -208,13 +208,13 @@ final class PendingRequests {
         /** Settles the request by a reply and counts the outcome; false if it was settled before. */
         boolean settle(BusMessage reply, Counters counters) {
             if (reply.payload() instanceof BusMessage.Failure failure) {
-                return counted(counters.refused, reject(errorOf(failure)));
+                return counted(counters.rejected, reject(errorOf(failure)));
             }
             if (operation.reply().isInstance(reply.payload())) {
                 return counted(counters.answered, resolve(operation.reply().cast(reply.payload())));
             }
             return counted(
-                    counters.refused,
+                    counters.rejected,
                     reject(error(
                             "the answer is a " + reply.payload().getClass().getName() + ", expected a "
                                     + operation.reply().getName(),
@@ -224,7 +224,7 @@ final class PendingRequests {
         private RuntimeException errorOf(BusMessage.Failure failure) {
             return switch (failure) {
                 case BusMessage.Failure.NotDelivered(String why) -> error(why, false);
-                case BusMessage.Failure.Abandoned(String why) -> error(why, true);
+                case BusMessage.Failure.Unanswered(String why) -> error(why, true);
                 case BusMessage.Failure.Failed(String type, String message) ->
                     new RemoteFailure(to, operation.name(), type, message);
             };

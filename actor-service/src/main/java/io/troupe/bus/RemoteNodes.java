@@ -406,15 +406,15 @@ final class RemoteNodes implements BusEngine.Listener {
     }
 
     @Override
-    public void refused(String node, String why) {
-        List<BusMessage> refused;
+    public void rejected(String node, String why) {
+        List<BusMessage> rejected;
         synchronized (notices) {
-            refused = notices.values().stream()
+            rejected = notices.values().stream()
                     .filter(notice -> isTo(node, notice))
                     .toList();
-            refused.forEach(notice -> notices.remove(notice.sequence()));
+            rejected.forEach(notice -> notices.remove(notice.sequence()));
         }
-        refused.forEach(notice -> bus.notifier.undeliverable(notice, why));
+        rejected.forEach(notice -> bus.notifier.undeliverable(notice, why));
         bus.rejectUnreachable(node, why);
     }
 

@@ -1,5 +1,6 @@
 package io.troupe.bus;
 
+import io.troupe.actor.internal.BoundedQueue;
 import java.time.Duration;
 import java.util.List;
 
@@ -12,8 +13,8 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
     TopicSubscription(BusPort port, BusTopic<T> topic, BusPort.Subscriber<? super T> subscriber) {
         super(
                 port,
-                port.address() + " receives " + topic.name(),
-                topic.capacity() != null ? topic.capacity() : port.node.settings.capacity());
+                BoundedQueue.droppingOldest(
+                        topic.capacity() != null ? topic.capacity() : port.node.settings.capacity()));
         this.topic = topic;
         this.subscriber = subscriber;
     }
@@ -45,11 +46,6 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
     }
 
     @Override
-    boolean dropsOldest() {
-        return true;
-    }
-
-    @Override
     void overflow(MessageDelivery delivery) {
         if (topic.capacity() != null) { // as its publishers and subscribers want it
             node.counters.replaced.increment();
@@ -64,10 +60,10 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
     }
 
     @Override
-    void discard(List<MessageDelivery> rest, String why) {
+    void dropAtEnd(List<MessageDelivery> rest, String why) {
         if (!rest.isEmpty()) {
-            node.counters.discarded.add(rest.size());
-            node.notifier.lost(new Loss.Discarded(port.address(), topic.name(), rest.size(), why));
+            node.counters.droppedAtEnd.add(rest.size());
+            node.notifier.lost(new Loss.DroppedAtEnd(port.address(), topic.name(), rest.size(), why));
         }
     }
 

@@ -140,7 +140,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         assertCallError(
                 painter.paint(Colour.RED, withNull, shape, 1),
                 false,
-                "Painter.paint(Colour, List, Shape, long) of \"user\", which needs the service \"painter\", was refused:"
+                "Painter.paint(Colour, List, Shape, long) of \"user\", which needs the service \"painter\", was rejected:"
                         + " java.lang.IllegalArgumentException: argument 2 cannot be sent: a value of"
                         + " java.util.ArrayList cannot leave the process: a list in it has null at 0, expected values,"
                         + " and no null in lists and maps, in at most 500 levels of records, lists and maps");

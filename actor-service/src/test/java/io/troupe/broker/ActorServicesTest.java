@@ -254,7 +254,7 @@ class ActorServicesTest extends BrokerBench {
         assertThat(test.error(tooMany))
                 .isInstanceOf(ServiceCallException.class)
                 .hasMessageStartingWith("Parrot.say(String) of \"robot 1\", which needs the service \"parrot\", "
-                        + "was refused: 2 calls wait already, and ");
+                        + "was rejected: 2 calls wait already, and ");
         seconds(2);
         assertServiceCallError(
                 answer,

@@ -195,7 +195,7 @@ class OfferedProviderTest extends HostsBench {
         assertCallError(
                 unknown,
                 false,
-                "Parrot.sayTwice(String) of \"robot 1\", which needs the service \"parrot\", was refused: peer/parrot has"
+                "Parrot.sayTwice(String) of \"robot 1\", which needs the service \"parrot\", was rejected: peer/parrot has"
                         + " no sayTwice(String); it has count(int, Callback), fail(String), hear(String), say(String),"
                         + " sayLater(String)");
         var known = parrot.sayLater("x");

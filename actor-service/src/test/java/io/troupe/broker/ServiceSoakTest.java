@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.Backlog;
 import io.troupe.actor.Callback;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
@@ -95,7 +94,7 @@ class ServiceSoakTest {
         private int last;
 
         Callback<Integer> counts(int most) {
-            return new Callback.Stream<>(Backlog.newest(most), this::next, end -> ends.incrementAndGet());
+            return new Callback.Stream<>(most, this::next, end -> ends.incrementAndGet());
         }
 
         private void next(int count) {

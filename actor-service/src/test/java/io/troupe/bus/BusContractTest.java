@@ -85,10 +85,10 @@ class BusContractTest extends BusContract {
         });
         assertThat(received).isEmpty();
         assertThat(theOnlyLoss())
-                .isEqualTo(
-                        new Loss.Discarded(new Address(far.node(), "a"), "counts", 2, "it does not subscribe any more"))
-                .hasToString(far.node()
-                        + "/a does not receive 2 values of counts that waited: it does not subscribe any more");
+                .isEqualTo(new Loss.DroppedAtEnd(
+                        new Address(far.node(), "a"), "counts", 2, "it does not subscribe any more"))
+                .hasToString(
+                        "2 values of counts for " + far.node() + "/a were dropped: it does not subscribe any more");
     }
 
     @Test
@@ -578,7 +578,7 @@ class BusContractTest extends BusContract {
         publish(2);
         test.runQueued();
         assertThat(received).containsExactly(1);
-        assertTakenLosses(1, Loss.Discarded.class);
+        assertTakenLosses(1, Loss.DroppedAtEnd.class);
         publish(3);
         test.runQueued();
     }
@@ -596,7 +596,7 @@ class BusContractTest extends BusContract {
                 .as("heard by the first subscription, whose actor stopped then")
                 .containsExactly(1);
         publish(2);
-        assertThat(take(losses).stream().map(loss -> ((Loss.Discarded) loss).count()))
+        assertThat(take(losses).stream().map(loss -> ((Loss.DroppedAtEnd) loss).count()))
                 .as("unheard by the first and by the second")
                 .containsExactly(1, 2);
         test.runQueued();

@@ -406,15 +406,15 @@ class BusModelTest {
         Map<String, Long> counts() {
             long pending =
                     answers.values().stream().filter(each -> !each.isDone()).count();
-            long settled = sum(BusMetrics::answered) + sum(BusMetrics::refused) + sum(BusMetrics::timedOut);
+            long settled = sum(BusMetrics::answered) + sum(BusMetrics::rejected) + sum(BusMetrics::timedOut);
             long discarded = 0;
             for (var loss : losses) {
-                discarded += loss instanceof Loss.Discarded it ? it.count() : 0;
+                discarded += loss instanceof Loss.DroppedAtEnd it ? it.count() : 0;
             }
             return Map.of(
                     "queued", sum(BusMetrics::queued),
                     "dropped", sum(BusMetrics::dropped),
-                    "discarded", sum(BusMetrics::discarded),
+                    "discarded", sum(BusMetrics::droppedAtEnd),
                     "late", sum(BusMetrics::late),
                     "delivered", sum(BusMetrics::delivered),
                     "told as dropped", count(Loss.Dropped.class),

@@ -196,7 +196,7 @@ class BusThreadsTest {
             assertThat(metrics.published()).isEqualTo(publishers * values);
             assertThat(metrics.delivered()).isEqualTo(received.sum() + receivedByTheFirst.sum());
             assertThat(metrics.queued())
-                    .isEqualTo(metrics.delivered() + metrics.failed() + metrics.dropped() + metrics.discarded());
+                    .isEqualTo(metrics.delivered() + metrics.failed() + metrics.dropped() + metrics.droppedAtEnd());
             closeSpaces();
         });
     }
@@ -229,8 +229,8 @@ class BusThreadsTest {
             var metrics = bus.metrics();
             assertThat(metrics.asked()).isEqualTo(questions * (THREADS - 1L));
             assertThat(metrics.answered()).isEqualTo(answered.get());
-            assertThat(metrics.refused()).isEqualTo(refused.get());
-            assertThat(metrics.answered() + metrics.refused()).isEqualTo(metrics.asked());
+            assertThat(metrics.rejected()).isEqualTo(refused.get());
+            assertThat(metrics.answered() + metrics.rejected()).isEqualTo(metrics.asked());
             assertThat(metrics.timedOut()).isZero();
             assertThat(metrics.late()).isEqualTo(late.sum());
             assertThat(others).hasSize((int) metrics.undeliverable()).allMatch(Loss.Undeliverable.class::isInstance);

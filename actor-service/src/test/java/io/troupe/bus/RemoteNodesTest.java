@@ -348,8 +348,7 @@ class RemoteNodesTest {
         arrives(publication(1, 1));
         subscription.close();
         assertThat(take(losses))
-                .containsExactly(
-                        "near/a does not receive 1 values of counts that waited: it does not subscribe any more");
+                .containsExactly("1 values of counts for near/a were dropped: it does not subscribe any more");
         subscribe(COUNTS);
         arrives(publication(9, 9));
         test.runQueued();
@@ -579,7 +578,7 @@ class RemoteNodesTest {
         test.runQueued();
         assertThat(engine.takeSent("far"))
                 .containsExactly(
-                        "reply far: Rejected[purpose=refusal to far/b for spell, kind=DATA, toIncarnation=77]");
+                        "reply far: Rejected[purpose=rejection to far/b for spell, kind=DATA, toIncarnation=77]");
         assertThat(take(losses)).singleElement().asString().endsWith("got to it after the limit of 1000 ms");
         arrives(request(3, SECOND, new Count(3)));
         var purpose = new Purpose.Request(NEAR, "spell");
@@ -626,14 +625,14 @@ class RemoteNodesTest {
         var other = heard(port.ask(new Address("third", "b"), SPELL, new Count(1), SECOND));
         port.send(FAR, SPELL, new Count(2));
         port.send(new Address("third", "b"), SPELL, new Count(2));
-        engine.listener().refused("far", "no permission");
+        engine.listener().rejected("far", "no permission");
         assertThat(answer.error()).hasMessage("near/a asked far/b for spell: no permission");
         assertThat(other.isDone()).isFalse();
         assertThat(take(losses))
                 .containsExactlyInAnyOrder(
                         "question to far/b for spell from near/a (number 1) cannot be delivered: no permission",
                         "notice to far/b for spell from near/a (number 3) cannot be delivered: no permission");
-        engine.listener().refused("far", "no permission");
+        engine.listener().rejected("far", "no permission");
         assertThat(losses).as("each is reported once").isEmpty();
         other.cancel();
         engine.sent.clear();
@@ -712,7 +711,7 @@ class RemoteNodesTest {
         assertThat(take(losses)).isEmpty();
         assertThat(rejectionOf(new IllegalStateException("x".repeat(5_000)), 1_000))
                 .isInstanceOfSatisfying(
-                        Failure.Abandoned.class,
+                        Failure.Unanswered.class,
                         short2 -> assertThat(short2.why())
                                 .startsWith("the reason could not be sent: ")
                                 .contains("bytes, expected at most 1000"));
@@ -754,7 +753,7 @@ class RemoteNodesTest {
         test.runQueued();
         assertThat(engine.takeSent("far"))
                 .containsExactly(
-                        "reply far: Rejected[purpose=refusal to far/b for spell, kind=DATA, toIncarnation=77]");
+                        "reply far: Rejected[purpose=rejection to far/b for spell, kind=DATA, toIncarnation=77]");
         losses.clear();
     }
 
@@ -767,7 +766,7 @@ class RemoteNodesTest {
         test.runQueued();
         assertThat(engine.takeSent("far"))
                 .containsExactly(
-                        "reply far: Rejected[purpose=refusal to far/b for spell, kind=DATA, toIncarnation=77]");
+                        "reply far: Rejected[purpose=rejection to far/b for spell, kind=DATA, toIncarnation=77]");
         assertThat(take(losses)).singleElement().asString().contains("java.lang.StackOverflowError: in the engine");
     }
 

@@ -22,8 +22,7 @@ public class EndAgainstResult {
     private int order;
 
     public EndAgainstResult() {
-        var reader = new Callback.Stream<Integer>(
-                Backlog.ALL, result -> order = 10 * order + result, end -> order = 10 * order + 9);
+        var reader = new Callback.Stream<Integer>(result -> order = 10 * order + result, end -> order = 10 * order + 9);
         results = ReturningCallback.to(reader, space.home);
     }
 

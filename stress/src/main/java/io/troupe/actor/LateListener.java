@@ -54,6 +54,11 @@ public class LateListener {
 
     /** Like a space: callbacks queued on its thread go to a ring, which is drained before the inbox. */
     private static final class TinyHome extends Home {
+        @Override
+        protected void runGuarded(Runnable task) {
+            task.run();
+        }
+
         private final ArrayDeque<Node> ring = new ArrayDeque<>();
         private final NodeQueue inbox = new NodeQueue();
         private @Nullable Thread thread;

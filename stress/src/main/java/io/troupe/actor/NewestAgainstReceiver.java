@@ -24,7 +24,7 @@ public class NewestAgainstReceiver {
     private int order;
 
     public NewestAgainstReceiver() {
-        reader = new Callback.Stream<>(Backlog.NEWEST, result -> order = 10 * order + result, end -> {});
+        reader = new Callback.Stream<>(1, result -> order = 10 * order + result, end -> {});
         results = ReturningCallback.to(reader, space.home);
         results.next(1);
     }
@@ -43,6 +43,6 @@ public class NewestAgainstReceiver {
     public void look(IJ_Result result) {
         space.runQueued();
         result.r1 = order;
-        result.r2 = reader.skipped();
+        result.r2 = reader.dropped();
     }
 }

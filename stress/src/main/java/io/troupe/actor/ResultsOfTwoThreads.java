@@ -25,8 +25,7 @@ public class ResultsOfTwoThreads {
 
     public ResultsOfTwoThreads() {
         results = ReturningCallback.to(
-                new Callback.Stream<Integer>(Backlog.ALL, result -> order = 10 * order + result, end -> {}),
-                space.home);
+                new Callback.Stream<Integer>(result -> order = 10 * order + result, end -> {}), space.home);
     }
 
     @Actor

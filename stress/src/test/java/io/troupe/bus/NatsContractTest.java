@@ -218,8 +218,8 @@ class NatsContractTest extends BusContractTest {
             }
 
             @Override
-            public void refused(String to, String why) {
-                arrived.add(listening -> listening.refused(to, why));
+            public void rejected(String to, String why) {
+                arrived.add(listening -> listening.rejected(to, why));
             }
 
             @Override

@@ -13,7 +13,6 @@ import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.ActorTypeException;
-import io.troupe.actor.Backlog;
 import io.troupe.actor.CallGraph;
 import io.troupe.actor.CallObserver;
 import io.troupe.actor.Callback;
@@ -438,14 +437,14 @@ class JavadocSamplesTest extends InTestSpace {
             seen.next(0x00FF00);
             seen.finish();
         });
-        camera.watch((colour, error) -> log.add("saw " + colour));
         var stream = new Callback.Stream<Integer>(colour -> log.add("got " + colour), end -> log.add("end " + end));
         camera.watch(stream); // stream.cancel() ends it
+        camera.watch((colour, error) -> log.add("saw " + colour));
         CallbackProbe<Integer> colours = test.callback();
         camera.watch(colours);
         assertThat(colours.results()).containsExactly(0xFF0000, 0x00FF00);
         colours.expectFinished();
-        assertThat(log).containsExactly("saw 16711680", "saw 65280", "got 16711680", "got 65280", "end null");
+        assertThat(log).containsExactly("got 16711680", "got 65280", "end null", "saw 16711680", "saw 65280");
     }
 
     @Test
@@ -461,12 +460,12 @@ class JavadocSamplesTest extends InTestSpace {
     }
 
     @Test
-    void backlog_keepsTheNewest() {
+    void capacityOfOne_keepsTheNewest() {
         Topic<Integer> colours = Topic.of(space, "colours");
-        Callback.Stream<Integer> newest = colours.subscribe(Backlog.NEWEST, colour -> log.add("saw " + colour));
+        Callback.Stream<Integer> newest = colours.subscribe(1, colour -> log.add("saw " + colour));
         colours.publish(0xFF0000);
         colours.publish(0x00FF00); // replaces the first, unless that was received meanwhile
-        long lost = newest.skipped();
+        long lost = newest.dropped();
         assertThat(lost).isOne();
         test.runQueued();
         assertThat(log).containsExactly("saw 65280");
@@ -476,8 +475,8 @@ class JavadocSamplesTest extends InTestSpace {
     void publisher_isForOtherLibraries() {
         Topic<Integer> colours = Topic.of(space, "colours");
         Camera camera = space.spawn(Camera.class, () -> seen -> seen.fail(new IllegalStateException("dark")));
-        Flow.Publisher<Integer> publisher = space.publisher(Backlog.newest(16), colours::subscribe); // of a topic
-        Flow.Publisher<Integer> watched = space.publisher(Backlog.ALL, camera::watch); // of an actor
+        Flow.Publisher<Integer> publisher = space.publisher(16, colours::subscribe); // of a topic
+        Flow.Publisher<Integer> watched = space.publisher(camera::watch); // of an actor
         for (var each : List.of(publisher, watched)) {
             each.subscribe(new Flow.Subscriber<>() {
                 @Override
@@ -648,6 +647,17 @@ class JavadocSamplesTest extends InTestSpace {
         controller.pause();
         test.advance(Duration.ofMillis(250));
         assertThat(log).containsExactly("cycle", "cycle");
+    }
+
+    @Test
+    void listenerAtTheEndOfAChain_isNotifiedOfTheErrorToo() {
+        Greeter greeter = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
+        greeter.greet("Ada").onSettled((answer, error) -> log.add(error == null ? answer : "nobody is there"));
+        test.runQueued();
+        space.stop(greeter);
+        greeter.greet("Ada").thenAccept(log::add).onRejected(error -> log.add("nobody is there"));
+        test.runQueued();
+        assertThat(log).containsExactly("Hello, Ada", "nobody is there");
     }
 
     @Test

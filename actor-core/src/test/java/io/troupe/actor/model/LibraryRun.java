@@ -4,7 +4,6 @@ import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
-import io.troupe.actor.Backlog;
 import io.troupe.actor.Callback;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.Deferred;
@@ -314,7 +313,7 @@ final class LibraryRun {
             };
         }
         var stream = new Callback.Stream<Integer>(
-                Backlog.newest(act.most()),
+                act.most(),
                 value -> {
                     history.add(who + " hears =" + value);
                     play(script, self);
@@ -343,7 +342,7 @@ final class LibraryRun {
                 case FAIL -> handle.fail(new History.Boom(act.id()));
                 default ->
                     history.add("stream " + act.target() + " cancelled: " + handle.isCancelled() + ", skipped: "
-                            + (reader == null ? 0 : reader.skipped()));
+                            + (reader == null ? 0 : reader.dropped()));
             }
         } catch (IllegalStateException afterTheEnd) {
             history.add("stream " + act.target() + " refuses " + act.id());

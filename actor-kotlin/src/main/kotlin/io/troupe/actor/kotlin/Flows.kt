@@ -2,7 +2,6 @@
 
 package io.troupe.actor.kotlin
 
-import io.troupe.actor.Backlog
 import io.troupe.actor.Callback
 import io.troupe.actor.Topic
 import java.util.concurrent.CancellationException
@@ -15,34 +14,34 @@ import kotlinx.coroutines.flow.takeWhile
 
 /**
  * What a flow does with values that arrive while its collector is busy. The sender never waits for a collector. The
- * limit applies twice: to the values in the callback queue, as a [Backlog], and to those that wait for the collector.
+ * limit applies twice: to the values in the callback queue, as the capacity of a [Callback.Stream], and to those that wait for the collector.
  *
  * ```
  * val newest = FlowBuffer.latest()
  * scope.launch { scans.asFlow(newest).collect { avoid(it) } }
  * ```
  *
- * One object may serve several flows, on any threads; [lost] then counts for all of them.
+ * One object may serve several flows, on any threads; [dropped] then counts for all of them.
  */
 public class FlowBuffer private constructor(
     private val name: String,
     private val capacity: Int,
     private val failsIfFull: Boolean,
 ) {
-    private val dropped = AtomicLong()
+    private val count = AtomicLong()
 
     /** The number of values that were dropped because a collector, or the thread of its space, was too slow. */
-    public val lost: Long
-        get() = dropped.get()
+    public val dropped: Long
+        get() = count.get()
 
     /** What is kept in the callback queue; a flow that has to fail must see every value. */
-    internal val backlog: Backlog
-        get() = if (failsIfFull || capacity == Channel.UNLIMITED) Backlog.ALL else Backlog.newest(capacity)
+    internal val queued: Int
+        get() = if (failsIfFull || capacity == Channel.UNLIMITED) Int.MAX_VALUE else capacity
 
     internal fun <T> channel(): Channel<T> = Channel(capacity)
 
-    internal fun noteSkipped(number: Long) {
-        dropped.addAndGet(number)
+    internal fun noteDropped(number: Long) {
+        count.addAndGet(number)
     }
 
     /** Adds a value; false if the buffer is full and the flow has to fail. On one thread at a time. */
@@ -52,7 +51,7 @@ public class FlowBuffer private constructor(
             when {
                 added.isSuccess || added.isClosed -> return true
                 failsIfFull -> return false
-                channel.tryReceive().isSuccess -> dropped.incrementAndGet()
+                channel.tryReceive().isSuccess -> count.incrementAndGet()
             }
         }
     }
@@ -116,16 +115,16 @@ public fun <T> callbacks(buffer: FlowBuffer = FlowBuffer.unlimited(), subscribe:
         lateinit var stream: Callback.Stream<T>
         var noted = 0L // on the thread of the callback
 
-        fun noteSkipped() {
-            val skipped = stream.skipped()
-            buffer.noteSkipped(skipped - noted)
-            noted = skipped
+        fun noteDropped() {
+            val dropped = stream.dropped()
+            buffer.noteDropped(dropped - noted)
+            noted = dropped
         }
         stream =
             Callback.Stream<T>(
-                buffer.backlog,
+                buffer.queued,
                 { value ->
-                    noteSkipped()
+                    noteDropped()
                     if (!buffer.add(channel, value)) {
                         channel.close(FlowOverflowException("the collector is too slow for the buffer $buffer"))
                         stream.cancel()

@@ -34,7 +34,7 @@ import kotlinx.coroutines.suspendCancellableCoroutine
  * ```
  *
  * If the coroutine is cancelled, it goes on at once with a `CancellationException` and the promise is cancelled: a
- * request that waits in a mailbox is then skipped. If the promise is cancelled, this throws a `CancellationException`.
+ * request that waits in a mailbox is then dropped. If the promise is cancelled, this throws a `CancellationException`.
  * A promise that is fulfilled already does not suspend.
  *
  * (A member always wins over an extension, so this cannot be called `await`: that is the one of

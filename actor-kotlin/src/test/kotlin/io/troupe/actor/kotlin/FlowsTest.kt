@@ -78,13 +78,13 @@ class FlowsTest : InTestSpace() {
         }
         val unlimited = FlowBuffer.unlimited()
         assertThat(all(unlimited)).hasSize(10)
-        assertThat(unlimited.lost).isZero()
+        assertThat(unlimited.dropped).isZero()
         val newest = FlowBuffer.dropOldest(3)
         assertThat(all(newest)).containsExactly(8, 9, 10)
-        assertThat(newest.lost).isEqualTo(7)
+        assertThat(newest.dropped).isEqualTo(7)
         val latest = FlowBuffer.latest()
         assertThat(all(latest)).containsExactly(10)
-        assertThat(latest.lost).isEqualTo(9)
+        assertThat(latest.dropped).isEqualTo(9)
         val failing = FlowBuffer.failing(3)
         val result = run { numbers(10, failing).onEach { delay(1) }.collect { log += "$it" } }
         advance(20)
@@ -104,7 +104,7 @@ class FlowsTest : InTestSpace() {
         assertThat(test.space().metrics().waiting()).isEqualTo(3)
         numbers.finish()
         assertThat(test.get(seen)).containsExactly(998, 999, 1_000)
-        assertThat(newest.lost).isEqualTo(997)
+        assertThat(newest.dropped).isEqualTo(997)
     }
 
     @Test
@@ -186,7 +186,7 @@ class FlowsTest : InTestSpace() {
                 numbers.finish()
                 collector.join()
                 assertThat(collected).startsWith(1).endsWith(1_000).isSorted()
-                assertThat(collected.size + buffer.lost).isEqualTo(1_000)
+                assertThat(collected.size + buffer.dropped).isEqualTo(1_000)
             }
         }
     }

@@ -24,7 +24,7 @@ import java.util.function.ToDoubleFunction;
  * }
  *
  * <p><b>Role.</b> The meters are those of {@link SpaceMetrics}: the counters {@code troupe.space.served},
- * {@code .errors}, {@code .dead.letters}, {@code .shed} and {@code .expired}, and the gauges {@code .waiting},
+ * {@code .errors}, {@code .dead.letters}, {@code .abandoned} and {@code .expired}, and the gauges {@code .waiting},
  * {@code .latency}, {@code .actors} and {@code .timers}, all with the tag {@code space}, the name of the space. They
  * are removed from the registry when the space is closed.
  *
@@ -55,7 +55,10 @@ public final class ActorSpaceMetrics implements MeterBinder {
         meters.add(counter(registry, "errors", "errors reported to error handlers", SpaceMetrics::errors));
         meters.add(counter(registry, "dead.letters", "messages that were not delivered", SpaceMetrics::deadLetters));
         meters.add(counter(
-                registry, "shed", "requests that were not begun: their callers had given them up", SpaceMetrics::shed));
+                registry,
+                "abandoned",
+                "requests that were not begun: their callers had given them up",
+                SpaceMetrics::abandoned));
         meters.add(counter(registry, "expired", "time limits of promises that have passed", SpaceMetrics::expired));
         meters.add(gauge(registry, "waiting", "entries before the last probe", SpaceMetrics::waiting));
         meters.add(gauge(registry, "actors", "actors that have started and not stopped", SpaceMetrics::actors));

@@ -87,7 +87,7 @@ class ActorSpaceMetricsTest {
                             "served", (double) metrics.served(),
                             "errors", 1.0,
                             "dead.letters", 1.0,
-                            "shed", 1.0,
+                            "abandoned", 1.0,
                             "expired", 1.0,
                             "waiting", 2.0,
                             "actors", 1.0,

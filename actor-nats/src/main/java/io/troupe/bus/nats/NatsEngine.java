@@ -634,7 +634,7 @@ final class NatsEngine implements BusEngine {
                 listener.lost(0, "the server reports: " + error.strip());
             } else if (violation.group(2).startsWith(subjects.nodes())) {
                 String to = violation.group(2).substring(subjects.nodes().length());
-                listener.refused(Subjects.text(to), missingPermission(error));
+                listener.rejected(Subjects.text(to), missingPermission(error));
             } else {
                 boolean isOneMessage = violation.group(1).equalsIgnoreCase("publish");
                 listener.lost(isOneMessage ? 1 : 0, missingPermission(error));

@@ -197,7 +197,7 @@ class NatsConnectionTest extends NatsTest {
                 public void unreachable(String node, long number, String why) {}
 
                 @Override
-                public void refused(String node, String why) {}
+                public void rejected(String node, String why) {}
 
                 @Override
                 public void gone(String node, long incarnation) {}

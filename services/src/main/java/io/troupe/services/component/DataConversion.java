@@ -1,10 +1,8 @@
 package io.troupe.services.component;
 
+import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.bus.Address;
 import io.troupe.services.component.Buffering.OverflowPolicy;
-import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
@@ -135,12 +133,13 @@ public final class DataConversion<I, O> {
      */
     private static final class DataBuffer {
         private final Buffering buffering;
-        private final Deque<ApplicationData<?>> values = new ArrayDeque<>(); // guarded by this, as are the counters
+        private final BoundedQueue<ApplicationData<?>> values; // guarded by this, as are the counters
         private long dropped;
         private long superseded;
 
         DataBuffer(Buffering buffering) {
             this.buffering = buffering;
+            this.values = BoundedQueue.droppingOldest(buffering.capacity());
         }
 
         /**
@@ -153,19 +152,16 @@ public final class DataConversion<I, O> {
                     && values.removeIf(each -> each.topic().equals(data.topic()))) {
                 superseded++;
             }
-            ApplicationData<?> oldest = values.size() == buffering.capacity() ? values.poll() : null;
+            ApplicationData<?> oldest = values.offer(data);
             if (oldest != null) {
                 dropped++;
             }
-            values.add(data);
             return oldest;
         }
 
         /** Removes and returns all values, the oldest first. */
         synchronized List<ApplicationData<?>> drain() {
-            List<ApplicationData<?>> drained = new ArrayList<>(values);
-            values.clear();
-            return drained;
+            return values.drain();
         }
 
         synchronized long dropped() {

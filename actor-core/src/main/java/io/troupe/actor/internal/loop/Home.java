@@ -128,6 +128,9 @@ public abstract class Home {
 
     // ---- owners
 
+    /** Runs a task on behalf of this home itself, on its thread; what it throws is reported. */
+    protected abstract void runGuarded(Runnable task);
+
     /** Sets the owner on whose behalf this home's thread now runs. */
     public final void begin(Owner owner) {
         CurrentOwner now = turn;

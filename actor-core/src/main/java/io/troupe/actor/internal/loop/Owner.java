@@ -93,6 +93,16 @@ public class Owner {
         }
     }
 
+    /**
+     * Runs a task on behalf of this owner, on the home's thread; what it throws is reported.
+     *
+     * @return false, without effect, if this owner has ended
+     */
+    public boolean run(String what, Runnable task) {
+        home.runGuarded(task);
+        return true;
+    }
+
     /** Reports a failure of work that was done on behalf of this owner. */
     public void failed(String what, Throwable error) {
         throw Nodes.rethrow(error);

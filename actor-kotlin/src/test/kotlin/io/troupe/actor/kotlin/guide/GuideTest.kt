@@ -344,7 +344,7 @@ class GuideTest : InTestSpace() {
         scope.launch { prices.publishTo(scans) }
         repeat(6) { advance(1_000) }
         assertThat(log).containsExactly("avoid 4", "avoid 6", "avoid 8")
-        assertThat(newest.lost).isEqualTo(2)
+        assertThat(newest.dropped).isEqualTo(2)
     }
 
     private suspend fun avoid(scan: Int) {

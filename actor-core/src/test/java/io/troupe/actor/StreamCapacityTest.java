@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** What a slow subscriber receives, what it skips, and how much it costs. */
-class BacklogTest extends InTestSpace {
+class StreamCapacityTest extends InTestSpace {
     private static final int MANY = 100_000;
     private static final int PUBLISHERS = 3;
     private static final int EACH = 20_000;
@@ -32,29 +32,29 @@ class BacklogTest extends InTestSpace {
 
     record Frame(int number) {}
 
-    private Callback.Stream<Integer> stream(Backlog backlog) {
-        return new Callback.Stream<>(backlog, value -> log.add("got " + value), end -> log.add("end " + end));
+    private Callback.Stream<Integer> stream(int capacity) {
+        return new Callback.Stream<>(capacity, value -> log.add("got " + value), end -> log.add("end " + end));
     }
 
     @Test
     void newest_skipsWhatWasReplacedBeforeItWasReceived_andCountsIt() {
-        var newest = topic.subscribe(Backlog.NEWEST, value -> log.add("newest " + value));
+        var newest = topic.subscribe(1, value -> log.add("newest " + value));
         topic.subscribe(value -> log.add("all " + value));
         topic.publish(1);
         topic.publish(2);
         assertThat(topic.publish(3)).isEqualTo(2);
         test.runQueued();
         assertThat(log).containsExactly("newest 3", "all 1", "all 2", "all 3");
-        assertThat(newest.skipped()).isEqualTo(2);
+        assertThat(newest.dropped()).isEqualTo(2);
         topic.publish(4);
         test.runQueued();
         assertThat(log).endsWith("newest 4", "all 4");
-        assertThat(newest.skipped()).isEqualTo(2);
+        assertThat(newest.dropped()).isEqualTo(2);
     }
 
     @Test
     void newestFew_areKeptInOrder_andTheEndFollowsThem() {
-        var few = stream(Backlog.newest(3));
+        var few = stream(3);
         topic.subscribe(few);
         for (int value = 1; value <= 10; value++) {
             topic.publish(value);
@@ -62,14 +62,14 @@ class BacklogTest extends InTestSpace {
         topic.finish();
         test.runQueued();
         assertThat(log).containsExactly("got 8", "got 9", "got 10", "end null");
-        assertThat(few.skipped()).isEqualTo(7);
+        assertThat(few.dropped()).isEqualTo(7);
     }
 
     @Test
     void callbackArgument_choosesAsATopicsSubscriberDoes_alsoIfOtherThreadsSend() {
         var readings = new AtomicReference<@Nullable Callback<Integer>>();
         Sensor sensor = test.spawn(Sensor.class, () -> readings::set);
-        var newest = stream(Backlog.newest(2));
+        var newest = stream(2);
         sensor.readings(newest);
         test.runQueued();
         test.run(() -> {
@@ -81,12 +81,12 @@ class BacklogTest extends InTestSpace {
             to.fail(new IllegalStateException("unplugged"));
         });
         assertThat(log).containsExactly("got 3", "got 4", "end java.lang.IllegalStateException: unplugged");
-        assertThat(newest.skipped()).isEqualTo(2);
+        assertThat(newest.dropped()).isEqualTo(2);
     }
 
     @Test
-    void backlogOfNothing_isRejected() {
-        assertThatThrownBy(() -> Backlog.newest(0)).hasMessage("most is 0, expected 1 or more");
+    void capacityOfNothing_isRejected() {
+        assertThatThrownBy(() -> topic.subscribe(0, value -> {})).hasMessage("capacity is 0, expected 1 or more");
     }
 
     /** Between two runs a subscriber that keeps n values receives the last n of those published. */
@@ -97,7 +97,7 @@ class BacklogTest extends InTestSpace {
         int most = 1 + random.nextInt(8);
         List<Integer> expected = new ArrayList<>();
         List<Integer> received = new ArrayList<>();
-        var some = topic.subscribe(Backlog.newest(most), received::add);
+        var some = topic.subscribe(most, received::add);
         int published = 0;
         for (int round = 0; round < 500; round++) {
             int burst = random.nextInt(2 * most + 2);
@@ -115,13 +115,13 @@ class BacklogTest extends InTestSpace {
             test.runQueued();
         }
         assertThat(received).as("seed %s", seed).isEqualTo(expected);
-        assertThat(some.skipped()).as("seed %s", seed).isEqualTo(published - expected.size());
+        assertThat(some.dropped()).as("seed %s", seed).isEqualTo(published - expected.size());
     }
 
     @Test
     void slowSubscriber_costsBoundedMemory_howeverMuchIsPublished() {
         Topic<Frame> frames = Topic.of(test.space(), "frames");
-        var few = frames.subscribe(Backlog.newest(5), frame -> log.add("frame " + frame.number));
+        var few = frames.subscribe(5, frame -> log.add("frame " + frame.number));
         for (int number = 0; number < MANY; number++) {
             frames.publish(new Frame(number));
         }
@@ -131,7 +131,7 @@ class BacklogTest extends InTestSpace {
                 .hasSize(5);
         test.runQueued();
         assertThat(log).containsExactly("frame 99995", "frame 99996", "frame 99997", "frame 99998", "frame 99999");
-        assertThat(few.skipped()).isEqualTo(MANY - 5);
+        assertThat(few.dropped()).isEqualTo(MANY - 5);
     }
 
     @Test
@@ -139,7 +139,7 @@ class BacklogTest extends InTestSpace {
         class Reader extends Actor {
             @Override
             protected void started() {
-                topic.subscribe(Backlog.NEWEST, value -> log.add("got " + value));
+                topic.subscribe(1, value -> log.add("got " + value));
             }
         }
         Reader reader = test.spawn(Reader.class, Reader::new);
@@ -160,7 +160,7 @@ class BacklogTest extends InTestSpace {
             Topic<List<Integer>> numbers = Topic.of(slow, "numbers");
             List<List<Integer>> received = new ArrayList<>();
             var end = new CountDownLatch(1);
-            var few = new Callback.Stream<List<Integer>>(Backlog.newest(4), received::add, error -> end.countDown());
+            var few = new Callback.Stream<List<Integer>>(4, received::add, error -> end.countDown());
             numbers.subscribe(few);
             onThreads(
                     PUBLISHERS,
@@ -168,7 +168,7 @@ class BacklogTest extends InTestSpace {
                             IntStream.range(0, EACH).forEach(number -> numbers.publish(List.of(publisher, number))));
             numbers.finish();
             await(end);
-            assertThat(received.size() + few.skipped()).isEqualTo((long) PUBLISHERS * EACH);
+            assertThat(received.size() + few.dropped()).isEqualTo((long) PUBLISHERS * EACH);
             for (int publisher = 0; publisher < PUBLISHERS; publisher++) {
                 int mine = publisher;
                 assertThat(received.stream()
@@ -187,7 +187,7 @@ class BacklogTest extends InTestSpace {
         try (var space = ActorSpace.create(SpaceSettings.named("deep"))) {
             Topic<Integer> values = Topic.of(space, "values");
             var last = new CountDownLatch(1);
-            values.subscribe(Backlog.NEWEST, value -> {
+            values.subscribe(1, value -> {
                 if (value == Integer.MAX_VALUE) {
                     last.countDown();
                 }
