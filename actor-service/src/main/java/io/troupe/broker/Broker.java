@@ -271,6 +271,6 @@ public final class Broker implements AutoCloseable {
     /** Starts {@link #shutDown} without waiting for its end. To wait, use {@code broker.shutDown().get(..)}. */
     @Override
     public void close() {
-        shutDown().handle((left, error) -> null); // the observer is notified of providers that did not stop
+        shutDown().onRejected(error -> {}); // the observer is notified of providers that did not stop
     }
 }

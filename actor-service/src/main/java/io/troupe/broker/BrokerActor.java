@@ -61,7 +61,7 @@ class BrokerActor extends Actor {
         registry.reserve(by);
         before.setBeingReplaced(true);
         var done = new Deferred<ServiceRecord>();
-        by.start().handle((started, error) -> {
+        by.start().onSettled((started, error) -> {
             before.setBeingReplaced(false);
             registry.free(by.address);
             if (error != null) {
@@ -71,9 +71,8 @@ class BrokerActor extends Actor {
                         error));
             } else {
                 // a failed stop of the old provider is reported to the observer
-                takeOver(before, by).handle((stopped, stays) -> done.resolve(by.toRecord()));
+                takeOver(before, by).onSettled((stopped, stays) -> done.resolve(by.toRecord()));
             }
-            return null;
         });
         return done;
     }
@@ -192,7 +191,7 @@ class BrokerActor extends Actor {
     public void stopUnused(Address provider, String why) {
         registry.at(provider).filter(ManagedProvider::isInUse).ifPresent(unused -> {
             events.publish(new BrokerEvent.Unused(unused.toRecord(), why));
-            unused.stop().handle((stopped, error) -> null); // a failure is an event
+            unused.stop().onRejected(error -> {}); // a failure is an event
         });
     }
 
@@ -213,7 +212,7 @@ class BrokerActor extends Actor {
     public void revive(Address provider, boolean runs) {
         registry.at(provider)
                 .filter(each -> runs ? each.hasFailed() && !context.isClosing() : each.isRestartWanted())
-                .ifPresent(each -> each.start().handle((started, error) -> null)); // a failure is an event
+                .ifPresent(each -> each.start().onRejected(error -> {})); // a failure is an event
     }
 
     /** Another process offers a provider. One that this process has registered itself at that address counts more. */
@@ -229,7 +228,7 @@ class BrokerActor extends Actor {
         elsewhere.remove(provider.address(), provider);
         registry.of(provider)
                 .filter(each -> !context.isClosing())
-                .ifPresent(each -> withdraw(each.address).handle((stopped, error) -> null));
+                .ifPresent(each -> withdraw(each.address).onRejected(error -> {}));
     }
 
     // ---- choosing a provider
@@ -260,7 +259,7 @@ class BrokerActor extends Actor {
             found.accept(registration);
             return;
         }
-        registration.start().handle((started, error) -> {
+        registration.start().onSettled((started, error) -> {
             if (error != null) {
                 tried.put(registration, error);
             } else if (!registration.isRunning()) {
@@ -269,7 +268,6 @@ class BrokerActor extends Actor {
                         new ProviderException(registration + " ended while it started", registration.why()));
             } // it is now one of the best, unless it was withdrawn meanwhile
             tryNext(need, evenFailed, tried, found, none);
-            return null;
         });
     }
 
@@ -311,9 +309,8 @@ class BrokerActor extends Actor {
             shutDown = done;
             context.beginClosing();
             changed.run();
-            clients.endAll().handle((notified, error) -> {
+            clients.endAll().onSettled((notified, error) -> {
                 stopLast(context.begun(), done);
-                return null;
             });
         }
         return shutDown;
@@ -324,9 +321,8 @@ class BrokerActor extends Actor {
         if (rest.isEmpty()) {
             done.resolve(context.begun().stream().map(ManagedProvider::toRecord).toList());
         } else {
-            rest.getLast().stop().handle((stopped, error) -> {
+            rest.getLast().stop().onSettled((stopped, error) -> {
                 stopLast(rest.subList(0, rest.size() - 1), done);
-                return null;
             });
         }
     }

@@ -288,7 +288,7 @@ final class ManagedProvider {
         cancelTimers();
         rejectPendingStart(
                 new ProviderException(this + " was not started: it was withdrawn or replaced before that", null));
-        notifyClients.get().handle((notified, error) -> mayStop.resolve(null));
+        notifyClients.get().onSettled((notified, error) -> mayStop.resolve(null));
         return stopped;
     }
 
@@ -358,11 +358,10 @@ final class ManagedProvider {
                 .filter(each -> !each.isDone())
                 .toList();
         if (!ends.isEmpty()) {
-            Promise.allSettled(ends).handle((ended, error) -> {
+            Promise.allSettled(ends).onSettled((ended, error) -> {
                 if (start == pendingStart) {
                     startPending();
                 }
-                return null;
             });
             return;
         }
@@ -414,7 +413,7 @@ final class ManagedProvider {
                         context.settings.startLimit(),
                         this + " did not start",
                         error -> startedLate(begun, error))
-                .handle((started, error) -> {
+                .onSettled((started, error) -> {
                     if (error != null) {
                         fail(error);
                     } else {
@@ -422,7 +421,6 @@ final class ManagedProvider {
                         start.resolve(null); // first: a life that fails now has started all the same
                         hasStarted(begun);
                     }
-                    return null;
                 });
     }
 
@@ -439,14 +437,13 @@ final class ManagedProvider {
         why = null;
         begun.instance.startedLate = false; // both starts led to one running provider: stopping this life stops it
         context.events.publish(new BrokerEvent.Started(toRecord()));
-        whenEnded(begun).handle((ended, error) -> {
+        whenEnded(begun).onSettled((ended, error) -> {
             if (isRunning(begun)) {
                 if (!mayStillRun(error)) {
                     setMayRun(begun.instance, false);
                 }
                 fail(error != null ? error : new ProviderException(this + " has ended by itself", null));
             }
-            return null;
         });
         checkLater(begun);
         // reset only after a long life: one good check is not enough for a provider that keeps failing
@@ -504,11 +501,10 @@ final class ManagedProvider {
                         context.settings.checkLimit(),
                         this + " did not answer the question for its health",
                         error -> context.events.publish(new BrokerEvent.Late(toString(), "check", error)))
-                .handle((well, error) -> {
+                .onSettled((well, error) -> {
                     if (isRunning(running)) {
                         checked(running, error);
                     }
-                    return null;
                 });
     }
 
@@ -709,9 +705,8 @@ final class ManagedProvider {
         nextRestart = context.timeouts.after(pause, () -> {
             nextRestart = null;
             if (isRestartWanted()) {
-                start().handle((started, error) -> {
+                start().onSettled((started, error) -> {
                     considerRestart();
-                    return null;
                 });
             }
         });

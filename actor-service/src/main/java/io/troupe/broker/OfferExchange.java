@@ -106,12 +106,11 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
     private void publish(boolean always) {
         if (!closed && (always || !asked)) {
             asked = !always || asked;
-            broker.offerings().handle((offerings, error) -> {
+            broker.offerings().onSettled((offerings, error) -> {
                 asked = asked && always;
                 if (offerings != null) {
                     publish(offerings, always);
                 }
-                return null;
             });
         }
     }

@@ -255,12 +255,11 @@ final class OfferedProvider implements Provider {
             return;
         }
         doubted = true;
-        check().handle((well, error) -> {
+        check().onSettled((well, error) -> {
             doubted = false;
             if (use == used && error instanceof ProviderException failed && !failed.mayHaveRun()) {
                 end(used, failed);
             }
-            return null;
         });
     }
 

@@ -70,7 +70,7 @@ final class RemoteCaller {
         Duration until = limit == null && method.isOneWay() ? WITH_STREAM : limit;
         Promise<CallMessages.Result> answer = port().ask(to.address(), CallMessages.CALL, call, until);
         if (!opened.isEmpty()) {
-            answer.handle((result, error) -> {
+            answer.onSettled((result, error) -> {
                 if (error instanceof BusException undelivered) {
                     if (undelivered.mayHaveRun()) {
                         streams.failThoseWithoutItems(opened, error); // the others get their end from the actor
@@ -78,7 +78,6 @@ final class RemoteCaller {
                         streams.fail(opened, error);
                     }
                 }
-                return null;
             });
         }
         return method.isOneWay() ? null : answer;

@@ -61,12 +61,15 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
     @Override
     protected void started() {
         events = new EventPublisher(services.observer(), context().space());
-        services.broker().connect(need, this).handle((provider, error) -> {
+        services.broker().connect(need, this).onSettled((provider, error) -> {
             if (error != null) {
                 noProvider = Reasons.of(error);
-                return first.reject(error);
+                first.reject(error);
+            } else if (mismatch != null) {
+                first.reject(mismatch);
+            } else {
+                first.resolve(provider);
             }
-            return mismatch != null ? first.reject(mismatch) : first.resolve(provider);
         });
     }
 
@@ -219,10 +222,7 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
             if (limit != null && !(to instanceof RemoteActor)) { // the bus has that limit
                 call.limit = context().after(limit, () -> isOverdue(call));
             }
-            answer.handle((value, error) -> {
-                answered(call, value, error);
-                return null;
-            });
+            answer.onSettled((value, error) -> answered(call, value, error));
         }
     }
 

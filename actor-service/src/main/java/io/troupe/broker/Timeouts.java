@@ -42,12 +42,11 @@ final class Timeouts {
         Promise<?> answer = answerOf(call);
         Timer timer = timers.after(
                 limit, () -> outcome.reject(ProviderException.overdue(overdue + " within " + limit, null)));
-        answer.handle((value, error) -> {
+        answer.onSettled((value, error) -> {
             timer.cancel();
             if (error == null ? !outcome.resolve(null) : !outcome.reject(error)) {
                 late.accept(error);
             }
-            return null;
         });
         return outcome;
     }

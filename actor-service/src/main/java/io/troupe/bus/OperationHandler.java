@@ -109,7 +109,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         }
         var called = new Called<Q, A>();
         here.within(request.left(node.nanos()), () -> called.call(handler, question))
-                .handle((value, late) -> null);
+                .onRejected(late -> {});
         if (called.thrown != null) {
             throw called.thrown;
         }

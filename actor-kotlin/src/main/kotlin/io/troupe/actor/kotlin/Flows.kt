@@ -14,7 +14,8 @@ import kotlinx.coroutines.flow.takeWhile
 
 /**
  * What a flow does with values that arrive while its collector is busy. The sender never waits for a collector. The
- * limit applies twice: to the values in the callback queue, as the capacity of a [Callback.Stream], and to those that wait for the collector.
+ * limit applies twice: to the values in the callback queue, as the capacity of a [Callback.Stream], and to those that
+ * wait for the collector.
  *
  * ```
  * val newest = FlowBuffer.latest()

@@ -98,7 +98,7 @@ final class AppSpace implements AutoCloseable {
     /** Waits until all needs of an application are met; a later failure is kept. */
     void awaitStarted(Application application) throws InterruptedException {
         await(application.started().toCompletableFuture(), START_LIMIT, "to start");
-        application.ended().handle((ended, error) -> error == null || failure.compareAndSet(null, error));
+        application.ended().onRejected(error -> failure.compareAndSet(null, error));
     }
 
     /** Stops an application, and waits until it has ended. */

@@ -177,7 +177,7 @@ public final class ComponentInterface<I, O> implements AutoCloseable {
         private volatile boolean over; // its data and failures are ignored
 
         Life() {
-            ended.handle((done, error) -> null); // there may be no broker any more
+            ended.onRejected(error -> {}); // there may be no broker any more
         }
 
         // ---- called by the broker
@@ -211,9 +211,8 @@ public final class ComponentInterface<I, O> implements AutoCloseable {
                 observer.info(address(), discarded + " values for its last life were forgotten");
             }
             bus.subscribe(component.subscribes(), this::received);
-            attempt(() -> communication().invoke(this)).handle((done, error) -> {
+            attempt(() -> communication().invoke(this)).onSettled((done, error) -> {
                 invoked(error);
-                return null;
             });
         }
 

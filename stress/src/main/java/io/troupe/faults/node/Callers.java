@@ -64,7 +64,7 @@ final class Callers {
 
     private void connect(ActorServices services, String name, Need need) {
         ActorConnection<Tool> connection = services.connect(Tool.class, need, SETTINGS);
-        connection.first().handle((provider, missing) -> null); // a later one is used, too
+        connection.first().onRejected(missing -> {}); // a later one is used, too
         targets.add(new Target(name, connection.actor()));
     }
 
@@ -128,11 +128,10 @@ final class Callers {
 
     private void watch(String call, Promise<Long> answer) {
         open++;
-        answer.handle((value, error) -> {
+        answer.onSettled((value, error) -> {
             open--;
             boolean mayBeSent = !(error instanceof ServiceCallException failure) || failure.mayHaveRun();
             history.add(new Settled(call, error == null, mayBeSent, outcome(error)));
-            return null;
         });
     }
 

@@ -161,11 +161,10 @@ public final class Application {
         if (awaited.isEmpty()) {
             return Promise.done();
         }
-        space.delay(NODE_LIMIT).handle((elapsed, closed) -> {
+        space.delay(NODE_LIMIT).onSettled((elapsed, closed) -> {
             if (!awaited.isEmpty()) {
                 allOffered.reject(missingNode(awaited.getFirst()));
             }
-            return null;
         });
         return allOffered;
     }
@@ -228,23 +227,21 @@ public final class Application {
         }
         started.resolve(null);
         for (var replacement : plan.replacements()) {
-            space.delay(replacement.after()).handle((elapsed, closed) -> {
+            space.delay(replacement.after()).onSettled((elapsed, closed) -> {
                 if (closed == null && !ending) {
                     replace(replacement);
                 }
-                return null;
             });
         }
     }
 
     private void replace(Replacement what) {
-        replace(what.old(), what.by()).handle((done, error) -> {
+        replace(what.old(), what.by()).onSettled((done, error) -> {
             settings.events()
                     .accept(
                             error == null
                                     ? new ApplicationEvent.Replaced(what)
                                     : new ApplicationEvent.NotReplaced(what, error));
-            return null;
         });
     }
 
@@ -379,12 +376,11 @@ public final class Application {
         private void awaitAnother(MissingServiceException why) {
             settings.events().accept(new ApplicationEvent.Lost(need, why));
             int met = timesMet;
-            space.delay(settings.reconnectLimit()).handle((elapsed, closed) -> {
+            space.delay(settings.reconnectLimit()).onSettled((elapsed, closed) -> {
                 // a need that has been met since then has its own limit after the next loss
                 if (closed == null && timesMet == met) {
                     end(why);
                 }
-                return null;
             });
         }
 
@@ -409,12 +405,11 @@ public final class Application {
         ending = true;
         awaited.clear();
         allOffered.resolve(null);
-        broker.shutDown().handle((left, error) -> {
+        broker.shutDown().onSettled((left, error) -> {
             connections.forEach(NeedConnection::disconnect);
             offers.values().stream().map(Offer::here).filter(Objects::nonNull).forEach(ComponentInterface::close);
             port.close();
             settle(why != null ? why : error);
-            return null;
         });
     }
 

@@ -226,18 +226,17 @@ public final class PlayerComponent {
         }
 
         private void awaitData(RobotConnection from, Signals<? super Reading> signals) {
-            from.nextData().handle((ready, error) -> {
+            from.nextData().onSettled((ready, error) -> {
                 if (connection == null) {
-                    return null; // terminated: the connection was closed
+                    return; // terminated: the connection was closed
                 }
                 if (error != null) {
                     lost = new PlayerException(settings.where() + ": " + error.getMessage(), error);
                     signals.failed(lost);
-                    return null;
+                    return;
                 }
                 awaitData(from, signals);
                 robots.values().forEach(Robot::publishReadings);
-                return null;
             });
         }
 
