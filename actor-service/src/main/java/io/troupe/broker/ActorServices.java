@@ -63,6 +63,7 @@ public final class ActorServices {
     private final CallableInterfaces interfaces = new CallableInterfaces();
     private final LocalActors actors;
     private final RemoteActors others = new RemoteActors(interfaces);
+    private volatile String callerName = "";
     private final AtomicLong callers = new AtomicLong();
     private final ConcurrentMap<String, Integer> published = new ConcurrentHashMap<>();
 
@@ -77,7 +78,8 @@ public final class ActorServices {
     }
 
     /** The actors of this process from now on are offered to others. */
-    void exchangeBy(Exchange newExchange) {
+    void exchangeBy(OfferMessages messages, Exchange newExchange) {
+        callerName = messages.caller;
         exchange = newExchange;
         others.setOnDoubt(newExchange);
     }
@@ -208,7 +210,7 @@ public final class ActorServices {
 
     /** Sends the calls of a new connection to other processes. */
     RemoteCaller newCaller() {
-        return new RemoteCaller(bus, () -> "caller-" + callers.incrementAndGet(), interfaces.values);
+        return new RemoteCaller(bus, () -> callerName + "-" + callers.incrementAndGet(), interfaces.values);
     }
 
     /** A call could not be delivered to an actor of another process. */

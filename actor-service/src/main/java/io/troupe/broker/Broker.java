@@ -7,6 +7,7 @@ import io.troupe.actor.Promise;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
+import io.troupe.bus.internal.OwnName;
 import java.security.SecureRandom;
 import java.util.List;
 import java.util.Objects;
@@ -103,13 +104,13 @@ public final class Broker implements AutoCloseable {
     /** The same, with a rank or in a group. */
     public static Broker over(Bus bus, ActorSpace space, BrokerSettings settings, Sharing sharing) {
         var messages = new OfferMessages(sharing.group());
-        BusPort port = bus.attach(messages.port);
+        BusPort port = bus.attach(new OwnName(messages.port));
         var broker = new Broker(bus.node(), space, settings, bus);
         long incarnation = new SecureRandom().nextLong(1, 1L << 53); // exact in every language
         ActorServices services = broker.services;
         var context =
                 new OfferedProvider.Context(bus, port, settings, sharing, services.others(), messages, incarnation);
-        services.exchangeBy(space.spawn(
+        services.exchangeBy(messages, space.spawn(
                 ActorServices.Exchange.class,
                 () -> new OfferExchange(context, broker.actor, services.actors()),
                 ActorSettings.named("broker's offers")));

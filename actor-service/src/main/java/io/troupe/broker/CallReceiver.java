@@ -7,6 +7,7 @@ import io.troupe.actor.LibraryAccess;
 import io.troupe.actor.Promise;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
+import io.troupe.bus.internal.OwnName;
 import io.troupe.bus.internal.NotBegunException;
 import io.troupe.bus.internal.UnreadableException;
 import java.lang.reflect.InvocationTargetException;
@@ -44,7 +45,7 @@ final class CallReceiver {
             ActorProvider.Running actor,
             CallableMethods methods,
             CallableMethods.Values values) {
-        BusPort port = bus.attach(actor.address().name());
+        BusPort port = bus.attach(new OwnName(actor.address().name()));
         var receiver = new CallReceiver(port, space, actor, methods, values);
         receiver.port.answer(CallMessages.CALL, receiver::receive);
         return receiver;

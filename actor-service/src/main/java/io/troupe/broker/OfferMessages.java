@@ -74,12 +74,17 @@ final class OfferMessages {
     /** The name of the port that has the operations. */
     final String port;
 
+    /** The names of the ports of connections begin with it. */
+    final String caller;
+
     final BusTopic<Offers> offers;
     final BusTopic<AskOffers> ask;
 
     /** @param group of brokers; empty = those that have none */
     OfferMessages(String group) {
-        port = group.isEmpty() ? "$broker" : "$broker:" + group;
+        String suffix = group.isEmpty() ? "" : ":" + group;
+        port = "$broker" + suffix;
+        caller = "$caller" + suffix;
         offers = new BusTopic<>(port + "/offers", Offers.class);
         ask = new BusTopic<>(port + "/offers?", AskOffers.class);
     }

@@ -6,6 +6,7 @@ import io.troupe.bus.Bus;
 import io.troupe.bus.BusException;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.internal.CborItem;
+import io.troupe.bus.internal.OwnName;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,7 +25,7 @@ final class RemoteCaller {
 
     /** @param bus null if there are no other processes */
     RemoteCaller(@Nullable Bus bus, Supplier<String> names, CallableMethods.Values values) {
-        this.attach = () -> Objects.requireNonNull(bus, "no bus").attach(names.get());
+        this.attach = () -> Objects.requireNonNull(bus, "no bus").attach(new OwnName(names.get()));
         this.values = values;
         this.streams = new IncomingStreams(values);
     }

@@ -7,6 +7,7 @@ import io.troupe.actor.internal.loop.Home;
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
 import io.troupe.bus.internal.BoundedText;
+import io.troupe.bus.internal.OwnName;
 import io.troupe.bus.internal.RecordCopier;
 import io.troupe.common.text.Suggestions;
 import java.security.SecureRandom;
@@ -127,9 +128,21 @@ public final class Bus implements AutoCloseable {
     /**
      * Attaches a port under a name.
      *
-     * @throws IllegalArgumentException if the name is taken
+     * @throws IllegalArgumentException if the name is taken, or has a {@code $} or {@code #}, as names of Troupe's own
+     *     ports and of numbered services have
      */
     public BusPort attach(String portName) {
+        if (portName.indexOf('$') >= 0 || portName.indexOf('#') >= 0) {
+            throw new IllegalArgumentException(
+                    "the name of a port is \"" + portName + "\", expected a name without $ and #");
+        }
+        return attach(new OwnName(portName));
+    }
+
+    /** @hidden for the parts of Troupe */
+    @SuppressWarnings("exports")
+    public BusPort attach(OwnName own) {
+        String portName = own.name();
         var port = new BusPort(this, new Address(name, portName));
         localPorts.add(port);
         if (closed.get()) {
@@ -206,14 +219,16 @@ public final class Bus implements AutoCloseable {
         localPorts.remove(port);
     }
 
-    void publish(BusPort from, BusTopic<?> topic, Record payload) {
+    /** @param ageNanos how old the value is already, because it is forwarded */
+    void publish(BusPort from, BusTopic<?> topic, Record payload, long ageNanos) {
         counters.published.increment();
         var message = new BusMessage.Data(from.address(), new Purpose.Publication(topic.name()), nextNumber(), payload);
         notifier.passed(message);
-        deliver(within(message, topic.maxAge() != null));
+        long nowNanos = topic.maxAge() != null || agesMatter(topic.name()) ? nanos() : 0;
+        deliver(new MessageDelivery(message, incarnation, nowNanos, ageNanos, Long.MAX_VALUE));
         if (others != null) {
             try {
-                others.publish(message, topic.name());
+                others.publish(message, topic.name(), ageNanos);
             } catch (RuntimeException | Error failure) {
                 notifier.undeliverable(message, noWayTo("the others", failure));
             }
@@ -321,9 +336,14 @@ public final class Bus implements AutoCloseable {
         return subscriptions.isEmpty() ? null : subscriptions.getFirst().topic.type();
     }
 
-    /** Returns whether a subscriber of this node drops values of the topic that are too old. */
-    boolean dropsOldValues(String topic) {
-        return localPorts.subscriptions(topic).stream().anyMatch(each -> each.topic.maxAge() != null);
+    /** Returns whether a subscriber of this node drops or forwards values of the topic by their ages. */
+    boolean agesMatter(String topic) {
+        for (TopicSubscription<?> each : localPorts.subscriptions(topic)) {
+            if (each.agesMatter()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The type of an operation's requests, or null if no handler is at that address. */

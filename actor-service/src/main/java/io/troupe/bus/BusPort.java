@@ -69,6 +69,11 @@ public final class BusPort implements AutoCloseable {
 
     /** Publishes a value to all current subscribers of the topic. */
     public <T extends Record> void publish(BusTopic<T> topic, T value) {
+        publish(topic, value, 0);
+    }
+
+    /** @param ageNanos how old the value is already */
+    <T extends Record> void publish(BusTopic<T> topic, T value, long ageNanos) {
         Record payload = node.copy(topic.type().cast(Objects.requireNonNull(value, "value")));
         synchronized (lock) {
             if (closed != null) {
@@ -76,7 +81,7 @@ public final class BusPort implements AutoCloseable {
             }
             use(topic); // after the check of the value: a rejected value does not fix the topic's type
         }
-        node.publish(this, topic, payload);
+        node.publish(this, topic, payload, ageNanos);
     }
 
     /**
@@ -85,7 +90,28 @@ public final class BusPort implements AutoCloseable {
      */
     public <T extends Record> Subscription subscribe(BusTopic<T> topic, Subscriber<? super T> subscriber) {
         Objects.requireNonNull(subscriber, "subscriber");
-        var subscription = new TopicSubscription<T>(this, topic, subscriber);
+        return subscribe(new TopicSubscription<T>(this, topic, subscriber, null));
+    }
+
+    /**
+     * Publishes the values of a topic on another one, until the subscription is closed. A value keeps its age, so that
+     * one that is held up anywhere on its way is dropped by the greatest age of the last topic.
+     *
+     * {@snippet :
+     * hub.forward(DRIVE, wheels, (velocity, from) -> show(from + ": " + velocity.forwardMps()));
+     * }
+     *
+     * @param listener receives each value before it is published again
+     */
+    public <T extends Record> Subscription forward(
+            BusTopic<T> from, BusTopic<T> to, Subscriber<? super T> listener) {
+        Objects.requireNonNull(to, "to");
+        Objects.requireNonNull(listener, "listener");
+        return subscribe(new TopicSubscription<T>(this, from, listener, to));
+    }
+
+    private <T extends Record> Subscription subscribe(TopicSubscription<T> subscription) {
+        BusTopic<T> topic = subscription.topic;
         synchronized (lock) {
             if (closed != null) {
                 throw rejection("subscribe to " + topic.name(), closed);

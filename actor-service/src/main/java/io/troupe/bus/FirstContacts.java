@@ -24,7 +24,7 @@ final class FirstContacts {
     /**
      * The receiver of the request, on every node. Nodes that do not know it reject the request, which serves as well.
      */
-    static final String PORT = "bus";
+    static final String PORT = "$bus";
 
     static final String OPERATION = "time";
     static final Nothing NOTHING = new Nothing();
@@ -95,8 +95,8 @@ final class FirstContacts {
 
     private boolean needsAge(Frames.Frame frame) {
         return switch (frame.body()) {
-            case Frames.Body.Published(var publication, long series) ->
-                bus.dropsOldValues(publication.topic()) || isLateFirst(frame, publication, series - 1);
+            case Frames.Body.Published(var publication, long series, long ageMicros) ->
+                bus.agesMatter(publication.topic()) || isLateFirst(frame, publication, series - 1);
             case Frames.Body.Mark(var publication, long series, var begunMicros) ->
                 isLateFirst(frame, publication, series);
             case Frames.Body.Requested requested -> requested.limitMicros() != 0;

@@ -24,6 +24,7 @@ import java.util.function.Function;
 final class Frames {
     private static final int VERSION = 1;
     private static final int COMMON_FIELDS = 7;
+    private static final int PUBLICATION_FIELDS = 3;
     private static final int REQUEST_FIELDS = 5;
     private static final int EXPECTED_SIZE = 256;
 
@@ -49,12 +50,20 @@ final class Frames {
 
     // ---- writing
 
-    /** @param series the number of the value among those of its port on its topic */
-    byte[] publication(BusMessage message, String topic, long series) {
-        var out = begin(PUBLICATION, message.from(), message.sequence(), 3);
+    /**
+     * @param series the number of the value among those of its port on its topic
+     * @param ageMicros how old it is already, because it is forwarded
+     */
+    byte[] publication(BusMessage message, String topic, long series, long ageMicros) {
+        int fields = ageMicros == 0 ? PUBLICATION_FIELDS : PUBLICATION_FIELDS + 1;
+        var out = begin(PUBLICATION, message.from(), message.sequence(), fields);
         out.writeText(topic);
         out.writeLong(series);
-        return complete(out, message.payload());
+        codec.write(message.payload().getClass(), message.payload(), out);
+        if (ageMicros != 0) {
+            out.writeLong(ageMicros);
+        }
+        return out.toBytes();
     }
 
     /**
@@ -174,7 +183,8 @@ final class Frames {
 
         Kind kind();
 
-        record Published(Purpose.Publication purpose, long series) implements Body {
+        /** @param ageMicros how old the value was when it was sent */
+        record Published(Purpose.Publication purpose, long series, long ageMicros) implements Body {
             @Override
             public Kind kind() {
                 return Kind.DATA;
@@ -241,7 +251,11 @@ final class Frames {
 
     private static Body readBody(int kind, Header header, String node, int fields, CborReader in) {
         return switch (kind) {
-            case PUBLICATION -> new Body.Published(new Purpose.Publication(in.readText()), readNumber(in));
+            case PUBLICATION ->
+                new Body.Published(
+                        new Purpose.Publication(in.readText()),
+                        readNumber(in),
+                        fields > PUBLICATION_FIELDS ? readBehindPayload(in.copy()) : 0);
             case MARK ->
                 new Body.Mark(
                         new Purpose.Publication(in.readText()),
@@ -274,6 +288,11 @@ final class Frames {
                                 reply.toIncarnation));
             default -> throw new UnreadableException("expected a kind from 0 to " + MARK + ", not " + kind).in("frame");
         };
+    }
+
+    private static long readBehindPayload(CborReader in) {
+        in.skip();
+        return readNumber(in);
     }
 
     private static Purpose.Request readRequest(String node, CborReader in) {

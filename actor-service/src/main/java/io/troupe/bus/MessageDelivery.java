@@ -7,7 +7,7 @@ import java.time.Duration;
  *
  * @param incarnation the life of the node that sent it
  * @param arrivedNanos when this node got it, by the clock of its space; 0 if neither age nor limit matter
- * @param ageNanos how long it had been on its way then
+ * @param ageNanos how long it had been on its way then, with the ways of a forwarded value before
  * @param limitNanos how long after its arrival the requester waits for a reply; {@link Long#MAX_VALUE} if that is not
  *     limited, or known otherwise
  * @param isLimitShared true if the requests that the handler sends share the limit

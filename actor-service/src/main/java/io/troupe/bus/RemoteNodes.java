@@ -113,11 +113,13 @@ final class RemoteNodes implements BusEngine.Listener {
 
     // ---- sending
 
-    void publish(BusMessage message, String topic) {
+    /** @param ageNanos how old the value is already */
+    void publish(BusMessage message, String topic, long ageNanos) {
         Series series = published.computeIfAbsent(new SeriesKey(message.from(), topic), key -> new Series());
         synchronized (series) { // frames leave in the order of their numbers
             long beforeNanos = bus.nanos();
-            checked(frames.publication(message, topic, series.last + 1), frame -> engine.publish(topic, frame));
+            byte[] bytes = frames.publication(message, topic, series.last + 1, ageNanos / 1_000);
+            checked(bytes, frame -> engine.publish(topic, frame));
             series.published(beforeNanos, bus.nanos());
         }
         if (marking.compareAndSet(false, true)) {
@@ -278,12 +280,13 @@ final class RemoteNodes implements BusEngine.Listener {
         var header = frame.header();
         long ageNanos = publishers.ageNanos(header, nowNanos);
         switch (frame.body()) {
-            case Frames.Body.Published(var publication, long series) -> {
+            case Frames.Body.Published(var publication, long series, long ageMicros) -> {
                 noteMissing(
                         header,
                         publication.topic(),
                         publishers.missing(header, publication.topic(), series, subscribedNanos(publication)));
-                receivePublication(frame, publication, new Arrival(header.incarnation(), nowNanos, ageNanos));
+                long valueNanos = ageNanos + ageMicros * 1_000;
+                receivePublication(frame, publication, new Arrival(header.incarnation(), nowNanos, valueNanos));
             }
             case Frames.Body.Mark(var publication, long series, var begunMicros) ->
                 noteMissing(

@@ -3,20 +3,33 @@ package io.troupe.bus;
 import io.troupe.actor.internal.BoundedQueue;
 import java.time.Duration;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /** A port's subscription to one topic, with the queue of its values. */
 final class TopicSubscription<T extends Record> extends InboundQueue implements BusPort.Subscription {
     final BusTopic<T> topic;
     private final BusPort.Subscriber<? super T> subscriber;
+    private final @Nullable BusTopic<T> forwardedTo;
     private long dropped; // guarded by this
 
-    TopicSubscription(BusPort port, BusTopic<T> topic, BusPort.Subscriber<? super T> subscriber) {
+    /** @param forwardedTo a topic on which the values are published with their ages; null for none */
+    TopicSubscription(
+            BusPort port,
+            BusTopic<T> topic,
+            BusPort.Subscriber<? super T> subscriber,
+            @Nullable BusTopic<T> forwardedTo) {
         super(
                 port,
                 BoundedQueue.droppingOldest(
                         topic.capacity() != null ? topic.capacity() : port.node.settings.capacity()));
         this.topic = topic;
         this.subscriber = subscriber;
+        this.forwardedTo = forwardedTo;
+    }
+
+    /** Returns whether values are dropped by their age, or forwarded with it. */
+    boolean agesMatter() {
+        return topic.maxAge() != null || forwardedTo != null;
     }
 
     @Override
@@ -32,7 +45,11 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
             }
         }
         try {
-            subscriber.receive(topic.type().cast(message.payload()), message.from());
+            T value = topic.type().cast(message.payload());
+            subscriber.receive(value, message.from());
+            if (forwardedTo != null) {
+                port.publish(forwardedTo, value, delivery.ageNanos(node.nanos()));
+            }
             node.counters.delivered.increment();
         } catch (Throwable thrown) {
             node.counters.failed.increment();

@@ -12,6 +12,7 @@ import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.Address;
 import io.troupe.bus.BusException;
 import io.troupe.bus.RemoteFailure;
+import io.troupe.bus.internal.OwnName;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -29,6 +30,21 @@ class ActorServicesOverHostsTest extends HostsBench {
     private final Host near = host("near");
 
     // ---- calls
+
+    @Test
+    void serviceMayHaveAnyNameThatHasNoCharacterOfOurOwnPorts() {
+        var names = List.of("broker", "caller-1", "robots", "arbitrator", "bus", "camera-2");
+        for (String name : names) {
+            get(far.services.publish(test.space(), Parrot.class, name, List.of(), () -> far.parrot(name)));
+        }
+        test.runQueued();
+        for (String name : names) {
+            Parrot parrot = near.services
+                    .connect(Parrot.class, Need.ofService("guest", name))
+                    .actor();
+            assertThat(get(parrot.say("hi"))).as(name).contains("hi");
+        }
+    }
 
     @Test
     void actor_isStartedAtTheFirstNeed_andCalledByItsInterface() {
@@ -263,7 +279,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         assertCallError(
                 parrot.say("2"),
                 false,
-                callOf("say") + "near/caller-1 asked far/parrot for call: there is no way from node near to node far");
+                callOf("say") + "near/$caller-1 asked far/parrot for call: there is no way from node near to node far");
         assertThat(get(parrot.say("3"))).isEqualTo("b: 3");
         losses.clear();
     }
@@ -570,7 +586,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         assertThat(senders.getLast().isCancelled()).isTrue();
         connection.close();
         test.runQueued();
-        near.bus.attach("caller-1").close(); // the name of its port is free again
+        near.bus.attach(new OwnName("$caller-1")).close(); // the name of its port is free again
     }
 
     /** An end that cannot be sent would leave its reader waiting for ever. */

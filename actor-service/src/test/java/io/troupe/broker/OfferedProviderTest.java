@@ -9,6 +9,7 @@ import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
+import io.troupe.bus.internal.OwnName;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -30,7 +31,7 @@ class OfferedProviderTest extends HostsBench {
     /** The other process. It answers no call, and a start or check when the test does. */
     private final class Peer {
         final Bus bus = pipe.open("peer", BusSettings.on(test.space()).withObserver(loss -> {}));
-        final BusPort port = bus.attach(MESSAGES.port);
+        final BusPort port = bus.attach(new OwnName(MESSAGES.port));
         final BusPort parrot = bus.attach("parrot");
         final Deque<Deferred<OfferMessages.Started>> starts = new ArrayDeque<>();
         final Deque<Deferred<OfferMessages.Checked>> checks = new ArrayDeque<>();
@@ -362,7 +363,7 @@ class OfferedProviderTest extends HostsBench {
     }
 
     private Promise<CallMessages.Received> sendToCaller(CallMessages.StreamPart part) {
-        return peer.parrot.ask(new Address("near", "caller-1"), CallMessages.STREAM, part, Duration.ofSeconds(1));
+        return peer.parrot.ask(new Address("near", "$caller-1"), CallMessages.STREAM, part, Duration.ofSeconds(1));
     }
 
     @Test
@@ -521,7 +522,7 @@ class OfferedProviderTest extends HostsBench {
         published.clear();
         advance(5_000);
         assertThat(published).isEmpty();
-        near.bus.attach(MESSAGES.port).close(); // the name is free again
+        near.bus.attach(new OwnName(MESSAGES.port)).close(); // the name is free again
     }
 
     private record SlowToStop(Deferred<Void> stopped) implements Provider {
@@ -570,7 +571,7 @@ class OfferedProviderTest extends HostsBench {
             brokers.space().close();
             brokers.runQueued();
             assertThat(test.error(call)).hasMessageStartingWith("peer/parrot ended while \"robot 1\" waited");
-            bus.attach(MESSAGES.port);
+            bus.attach(new OwnName(MESSAGES.port));
             bus.close();
         }
     }

@@ -60,6 +60,20 @@ class BusGuideTest {
     }
 
     @Test
+    void values_areForwarded_withTheirAge() {
+        var wheels = new BusTopic<>("robot1/wheels", Velocity.class).withMaxAge(Duration.ofMillis(300));
+        try (var test = new TestSpace();
+                var bus = Bus.inProcess("robot1", BusSettings.on(test.space()))) {
+            BusPort hub = bus.attach("hub");
+            hub.forward(DRIVE, wheels, (velocity, from) -> show(from + ": " + velocity.forwardMps()));
+            hub.subscribe(wheels, (velocity, from) -> show(velocity.forwardMps()));
+            bus.attach("driver").publish(DRIVE, new Velocity(0.2, 0));
+            test.runQueued();
+            assertThat(shown).containsExactly("robot1/driver: 0.2", "0.2");
+        }
+    }
+
+    @Test
     void commands_keepOnlyTheLatest_andNoneThatIsOld() {
         try (var test = new TestSpace();
                 var bus = Bus.inProcess("robot1", BusSettings.on(test.space()).withObserver(loss -> show(loss)))) {

@@ -32,6 +32,15 @@ class BusTest extends BusContract {
 
     /** Values from code without type checks (unchecked casts). */
     @Test
+    void nameWithACharacterOfOurOwnPorts_isRefused() {
+        for (String name : List.of("$broker", "camera#2")) {
+            assertThatThrownBy(() -> bus.attach(name))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("the name of a port is \"" + name + "\", expected a name without $ and #");
+        }
+    }
+
+    @Test
     @SuppressWarnings({"unchecked", "rawtypes", "NullAway"})
     void valueThatIsRefused_leavesTheTypeOfItsTopicOpen() {
         var port = bus.attach("a");

@@ -87,7 +87,7 @@ class RemoteNodesTest {
 
     private byte[] publication(long series, int value) {
         var message = new BusMessage.Data(FAR, new Purpose.Publication("counts"), series, new Count(value));
-        return farFrames.publication(message, "counts", series);
+        return farFrames.publication(message, "counts", series, 0);
     }
 
     private byte[] request(long number, Duration limit, Record payload) {
@@ -109,9 +109,9 @@ class RemoteNodesTest {
     private void farAnswersItsTime(Frames life) {
         var asked = engine.sent.removeLast();
         assertThat(Frames.read(asked.frame(), "far").body().purpose())
-                .isEqualTo(new Purpose.Request(new Address("far", "bus"), "time"));
-        var purpose = new Purpose.Reply(new Address("near", "bus"), "time", asked.number());
-        var message = new BusMessage.Data(new Address("far", "bus"), purpose, 1, FirstContacts.NOTHING);
+                .isEqualTo(new Purpose.Request(new Address("far", "$bus"), "time"));
+        var purpose = new Purpose.Reply(new Address("near", "$bus"), "time", asked.number());
+        var message = new BusMessage.Data(new Address("far", "$bus"), purpose, 1, FirstContacts.NOTHING);
         arrives(life.reply(message, purpose, engine.incarnation));
     }
 
@@ -148,10 +148,10 @@ class RemoteNodesTest {
         port.publish(new BusTopic<>("others", Count.class), new Count(1));
         assertThat(engine.takeSent("far"))
                 .containsExactly(
-                        "publish counts: Published[purpose=publication on counts, series=1]",
-                        "publish counts: Published[purpose=publication on counts, series=1]",
-                        "publish counts: Published[purpose=publication on counts, series=2]",
-                        "publish others: Published[purpose=publication on others, series=1]");
+                        "publish counts: Published[purpose=publication on counts, series=1, ageMicros=0]",
+                        "publish counts: Published[purpose=publication on counts, series=1, ageMicros=0]",
+                        "publish counts: Published[purpose=publication on counts, series=2, ageMicros=0]",
+                        "publish others: Published[purpose=publication on others, series=1, ageMicros=0]");
         test.advance(SECOND.plusMillis(1));
         assertThat(engine.takeSent("far"))
                 .containsExactlyInAnyOrder(
@@ -170,7 +170,7 @@ class RemoteNodesTest {
         port.close(); // nothing follows: the mark comes at once
         assertThat(engine.takeSent("far"))
                 .containsExactly(
-                        "publish counts: Published[purpose=publication on counts, series=3]",
+                        "publish counts: Published[purpose=publication on counts, series=3, ageMicros=0]",
                         "publish counts: Mark[purpose=publication on counts, series=3, begunMicros=OptionalLong[0]]");
         test.advance(SECOND.multipliedBy(2));
     }
@@ -221,7 +221,7 @@ class RemoteNodesTest {
         engine.why = null;
         port.publish(COUNTS, new Count(2));
         assertThat(engine.takeSent("far"))
-                .containsExactly("publish counts: Published[purpose=publication on counts, series=1]");
+                .containsExactly("publish counts: Published[purpose=publication on counts, series=1, ageMicros=0]");
         test.advance(SECOND.multipliedBy(2));
     }
 
@@ -255,7 +255,7 @@ class RemoteNodesTest {
         assertThat(take(losses)).containsExactly("4 values of counts from far/b have not arrived");
         var message = new BusMessage.Data(FAR, new Purpose.Publication("counts"), 1, new Count(20));
         var newLife = new Frames(codec, test.clock(), FAR_LIFE + 1);
-        arrives(newLife.publication(message, "counts", 20));
+        arrives(newLife.publication(message, "counts", 20, 0));
         farAnswersItsTime(newLife);
         test.runQueued();
         assertThat(received).containsExactly(5, 6, 9, 20);
@@ -268,7 +268,7 @@ class RemoteNodesTest {
         test.advance(SECOND);
         var late = new Frames(codec, test.clock(), FAR_LIFE + 1);
         var message = new BusMessage.Data(FAR, new Purpose.Publication("counts"), 1, new Count(4));
-        byte[] heldUp = late.publication(message, "counts", 4);
+        byte[] heldUp = late.publication(message, "counts", 4, 0);
         test.advance(SECOND);
         arrives(heldUp);
         farAnswersItsTime(late);
@@ -413,7 +413,7 @@ class RemoteNodesTest {
         test.advance(Duration.ofMillis(500));
         var asked = engine.sent.getLast();
         var other = new Frames(codec, test.clock(), FAR_LIFE + 1);
-        var rejection = new Purpose.Rejection(new Address("near", "bus"), "time", asked.number());
+        var rejection = new Purpose.Rejection(new Address("near", "$bus"), "time", asked.number());
         var ofOther = new BusMessage.Data(FAR, rejection, 1, new BusMessage.Failure.NotDelivered("no"));
         arrives(other.rejection(ofOther, rejection, engine.incarnation));
         test.runQueued();
@@ -447,7 +447,7 @@ class RemoteNodesTest {
 
     @Test
     void requestForTheTime_isAnsweredAtOnce() {
-        var purpose = new Purpose.Request(new Address("near", "bus"), "time");
+        var purpose = new Purpose.Request(new Address("near", "$bus"), "time");
         arrives(farFrames.request(new BusMessage.Data(FAR, purpose, 9, FirstContacts.NOTHING), purpose, 0, false));
         assertThat(engine.takeSent("far"))
                 .containsExactly(
@@ -843,7 +843,7 @@ class RemoteNodesTest {
         assertThat(take(losses))
                 .containsExactly("a frame of 3 bytes cannot be read: expected a list, not a whole number");
         var text = new BusMessage.Data(FAR, new Purpose.Publication("counts"), 1, new Text("x"));
-        arrives(farFrames.publication(text, "counts", 1));
+        arrives(farFrames.publication(text, "counts", 1, 0));
         assertThat(take(losses))
                 .containsExactly("publication on counts from far/b cannot be read:"
                         + " Count.value: expected a whole number, not a text");
@@ -865,7 +865,7 @@ class RemoteNodesTest {
     @Test
     void secondProcessOfTheSameName_isReported() {
         var own = new BusMessage.Data(NEAR, new Purpose.Publication("counts"), 1, new Count(1));
-        arrives(new Frames(codec, test.clock(), engine.incarnation + 1).publication(own, "counts", 1));
+        arrives(new Frames(codec, test.clock(), engine.incarnation + 1).publication(own, "counts", 1, 0));
         assertThat(take(losses))
                 .containsExactly(
                         "a message from near/a cannot be read: another process has the name of this node, near");

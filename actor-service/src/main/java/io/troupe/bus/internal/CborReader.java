@@ -27,6 +27,16 @@ public final class CborReader {
         this.end = bytes.length;
     }
 
+    private CborReader(byte[] bytes, int at) {
+        this(bytes);
+        this.at = at;
+    }
+
+    /** Another reader at the same place. */
+    public CborReader copy() {
+        return new CborReader(bytes, at);
+    }
+
     public void expectEnd() {
         if (at != end) {
             throw new UnreadableException("expected the end, and " + (end - at) + " bytes follow");

@@ -10,6 +10,7 @@ import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.ServiceRecord;
 import io.troupe.broker.Sharing;
 import io.troupe.bus.Bus;
+import io.troupe.bus.internal.OwnName;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.LinkedHashSet;
@@ -44,7 +45,7 @@ public final class RobotNode implements AutoCloseable {
             .withMissedChecks(2)
             .withRestartPauses(Duration.ofMillis(500), Duration.ofSeconds(4));
 
-    private static final String REPORTS = "robots";
+    private static final OwnName REPORTS = new OwnName("$robots");
 
     private final Bus bus;
     private final Broker broker;

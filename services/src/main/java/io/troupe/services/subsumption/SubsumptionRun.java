@@ -17,6 +17,7 @@ import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;
 import io.troupe.broker.ServiceCallException;
 import io.troupe.bus.BusPort;
+import io.troupe.bus.internal.OwnName;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.util.LinkedHashMap;
@@ -367,7 +368,7 @@ public final class SubsumptionRun implements AutoCloseable {
         static ActorRun overHosts(
                 RobotNode node, Mode mode, SubsumptionTable table, HostsListener listener, Consumer<Throwable> failed)
                 throws InterruptedException {
-            BusPort port = node.bus().attach(CALLER);
+            BusPort port = node.bus().attach(new OwnName("$arbitrator"));
             var run = new ActorRun(SpaceSettings.named("arbitrator"), listener.callObserver(), table, port, failed);
             Promise<?> earlierLeasesOver = run.space.delay(LeasedRobots.CERTAINLY_OVER);
             run.space.execute(() -> DriverReport.subscribe(port, listener::reported));

@@ -138,10 +138,10 @@ final class TopicWiring {
 
     /** Forwards values over a wire until the subscription is closed. */
     <T extends Record> BusPort.Subscription open(Wire<T> wire) {
-        return port.subscribe(wire.from(), (value, publisher) -> {
-            observer.accept(new ApplicationEvent.Forwarded(wire, value));
-            port.publish(wire.to(), value);
-        });
+        return port.forward(
+                wire.from(),
+                wire.to(),
+                (value, publisher) -> observer.accept(new ApplicationEvent.Forwarded(wire, value)));
     }
 
     /** Forwards values over several wires. */

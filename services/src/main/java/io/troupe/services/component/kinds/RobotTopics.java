@@ -48,14 +48,11 @@ public final class RobotTopics {
     /** A colour that has come into sight. */
     public record ColourSeen(double timeSeconds, int colour) {}
 
-    /**
-     * Half of the age that a speed may have when it reaches a robot: it passes two topics, that of its driver and that
-     * of its robot.
-     */
-    private static final Duration MAX_AGE_OF_SPEED = Duration.ofMillis(150);
+    /** The age that a speed may have when it reaches a robot, on all topics that it passes together. */
+    private static final Duration MAX_AGE_OF_SPEED = Duration.ofMillis(300);
 
-    /** A control law does not drive by older readings; they too pass two topics. */
-    private static final Duration MAX_AGE_OF_READING = Duration.ofMillis(300);
+    /** A control law does not drive by older readings. */
+    private static final Duration MAX_AGE_OF_READING = Duration.ofMillis(600);
 
     private RobotTopics() {}
 

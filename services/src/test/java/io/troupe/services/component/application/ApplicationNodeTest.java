@@ -363,7 +363,7 @@ class ApplicationNodeTest {
         assertThat(robots.commands(0)).hasSize(1);
         wire.hold("laptop");
         robots.tick(100);
-        seconds(0.2);
+        seconds(0.4);
         wire.release();
         test.runQueued();
         assertThat(robots.commands(0)).as("commands that were obeyed").hasSize(1);
@@ -380,7 +380,7 @@ class ApplicationNodeTest {
         robots.tick(100);
         wire.hold("base");
         robots.tick(100);
-        seconds(0.4);
+        seconds(0.7);
         wire.release();
         test.runQueued();
         assertThat(robots.commands(0)).as("commands that were obeyed").hasSize(1);
