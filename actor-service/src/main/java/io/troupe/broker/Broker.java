@@ -9,8 +9,10 @@ import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.internal.OwnName;
 import java.security.SecureRandom;
+import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -54,9 +56,11 @@ public final class Broker implements AutoCloseable {
 
     private final BrokerActor actor;
     private final ActorServices services;
+    private final BrokerSettings settings;
 
     private Broker(String node, ActorSpace space, BrokerSettings settings, @Nullable Bus bus) {
         Objects.requireNonNull(settings, "settings");
+        this.settings = settings;
         this.actor =
                 space.spawn(BrokerActor.class, () -> new BrokerActor(space, settings), ActorSettings.named("broker"));
         this.services = new ActorServices(this, node, space, settings.observer(), bus);
@@ -261,17 +265,34 @@ public final class Broker implements AutoCloseable {
      * Notifies clients that there is no provider any more, then stops all providers that the broker has started, one by
      * one in reverse order of their starts, each within its limit. From this call on, methods that start or change
      * something are rejected with an {@link IllegalStateException}; {@link #registered} and {@link #find} still return
-     * the known state, {@link #disconnect} has no effect, and another shutDown returns the same promise.
+     * the known state, {@link #disconnect} has no effect, and another close returns the same promise.
      *
      * @return fulfilled, when that is done, with the providers that did not stop
      */
-    public Promise<List<ServiceRecord>> shutDown() {
+    public Promise<List<ServiceRecord>> closeAsync() {
         return actor.shutDown();
     }
 
-    /** Starts {@link #shutDown} without waiting for its end. To wait, use {@code broker.shutDown().get(..)}. */
+    /**
+     * Like {@link #closeAsync}, and waits until that is done: for threads outside every space. On the thread of a space
+     * it does not wait. The observer is notified of providers that did not stop.
+     *
+     * @throws ProviderException if that takes longer than the limits of the settings allow for one provider that does
+     *     not stop; it goes on
+     */
     @Override
     public void close() {
-        shutDown().onRejected(error -> {}); // the observer is notified of providers that did not stop
+        Promise<?> closed = closeAsync().handle((left, error) -> true); // left ones are events
+        Duration limit = settings.notifyLimit().plus(settings.stopLimit().multipliedBy(2));
+        if (ActorSpace.current() != null) {
+            return;
+        }
+        try {
+            closed.get(limit);
+        } catch (TimeoutException late) {
+            throw new ProviderException("the broker has not been closed within " + limit + "; it goes on", late);
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+        }
     }
 }

@@ -115,7 +115,7 @@ class AccountingTest {
             test.advance(LIMIT);
             later.forEach(Late::give);
             test.runQueued();
-            test.get(broker.shutDown());
+            test.get(broker.closeAsync());
             test.runQueued();
             check();
             return this;

@@ -376,7 +376,7 @@ class ActorServicesOverHostsTest extends HostsBench {
             slow.runQueued();
             assertThat(slowly(slow, answers.getFirst())).isEqualTo("slow: 0");
             losses.clear();
-            get(far.broker.shutDown());
+            get(far.broker.closeAsync());
             slow.runQueued();
         }
     }
@@ -469,7 +469,7 @@ class ActorServicesOverHostsTest extends HostsBench {
             assertThat(diary).containsExactly("slow is made", "slow says wanted");
             assertThat(unwanted.error()).isInstanceOf(CancellationException.class);
             connection.close();
-            get(far.broker.shutDown());
+            get(far.broker.closeAsync());
             slow.runQueued();
         }
     }

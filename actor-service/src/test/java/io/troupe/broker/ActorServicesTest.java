@@ -237,7 +237,7 @@ class ActorServicesTest extends BrokerBench {
             assertThat(callers.get(answer)).isEqualTo("b: hello");
             connection.close();
             callers.runQueued();
-            broker.close();
+            broker.closeAsync();
             runAll.run();
         }
     }

@@ -25,7 +25,7 @@ class BrokerBench {
 
     /** Goes on with a broker of other settings. */
     final void reopen(BrokerSettings settings) {
-        get(broker.shutDown());
+        get(broker.closeAsync());
         broker = Broker.open("node", test.space(), settings.withObserver(this::record));
     }
 
@@ -35,7 +35,7 @@ class BrokerBench {
 
     @AfterEach
     void close() {
-        get(broker.shutDown());
+        get(broker.closeAsync());
         test.close();
     }
 

@@ -102,7 +102,7 @@ class BrokerGuideTest {
                 .containsExactly("\"robot 2\" needs the service \"camrea\", which no provider offers; "
                         + "did you mean \"camera\"? registered: camera (senses; well)");
 
-        broker.shutDown().then(left2 -> show(left2.size() + " did not stop"));
+        broker.closeAsync().then(left2 -> show(left2.size() + " did not stop"));
         test.runQueued();
         assertThat(shown).endsWith("camera stops", "0 did not stop");
     }
@@ -208,7 +208,7 @@ class BrokerGuideTest {
                 .extracting(ServiceRecord::health)
                 .containsOnly(Health.WELL);
         compass.close();
-        test.get(broker.shutDown());
+        test.get(broker.closeAsync());
     }
 
     @Test
@@ -236,7 +236,7 @@ class BrokerGuideTest {
         greeter.greet("Ada").then(text -> show(text));
         test.runQueued();
         assertThat(shown).containsExactly("hello Ada", "good morning Ada");
-        test.get(broker.shutDown());
+        test.get(broker.closeAsync());
     }
 
     @Test
@@ -250,7 +250,7 @@ class BrokerGuideTest {
         show(greeter.greet("Ada").get(Duration.ofSeconds(10)));
 
         assertThat(shown).containsExactly("hello Ada");
-        broker.shutDown().get(Duration.ofSeconds(10));
+        broker.closeAsync().get(Duration.ofSeconds(10));
         space.close();
     }
 
@@ -275,7 +275,7 @@ class BrokerGuideTest {
         test.get(broker.withdraw(new Address("test-space", "greeter")));
         assertThat(shown).containsExactly("test-space/greeter > test-space/greeter#2");
         greeter.close();
-        test.get(broker.shutDown());
+        test.get(broker.closeAsync());
     }
 
     interface Greeter {
@@ -298,8 +298,8 @@ class BrokerGuideTest {
             assertThat(test.get(reserve.find(Need.ofService("guest", "greeter"))))
                     .extracting(each -> each.provider().node())
                     .containsExactly("b", "a");
-            test.get(reserve.shutDown());
-            test.get(first.shutDown());
+            test.get(reserve.closeAsync());
+            test.get(first.closeAsync());
         }
     }
 
@@ -318,9 +318,9 @@ class BrokerGuideTest {
             var greeter = onShore.connect(Greeter.class, Need.ofService("guest", "greeter"))
                     .actor();
             assertThat(test.get(greeter.greet("Ada"))).isEqualTo("hello Ada");
-            test.get(there.shutDown());
+            test.get(there.closeAsync());
         }
-        test.get(broker.shutDown());
+        test.get(broker.closeAsync());
         bus.close();
     }
 }

@@ -136,7 +136,7 @@ class BrokerSoakTest {
                     test.runQueued();
                 }
             }
-            var over = broker.shutDown();
+            var over = broker.closeAsync();
             seconds(100);
             assertThat(over.isDone()).as("shut down").isTrue();
             ending = true;

@@ -420,13 +420,13 @@ class BrokerTest extends ScriptedBroker {
 
     @Test
     void observerThatThrows_isReported_andChangesNothing() {
-        get(broker.shutDown());
+        get(broker.closeAsync());
         broker = Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {
             throw new IllegalStateException("observer");
         }));
         play("offer p, require 1 | start p, require 1: p WELL");
         assertThat(test.takeProblems()).hasSize(3); // registered, starting, started
-        get(broker.shutDown());
+        get(broker.closeAsync());
         test.takeProblems();
     }
 

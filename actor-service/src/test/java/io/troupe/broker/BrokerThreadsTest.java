@@ -9,6 +9,7 @@ import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -41,6 +42,74 @@ class BrokerThreadsTest {
             .withWaitLimit(PATIENCE)
             .withAnswerLimit(PATIENCE)
             .withOneWayLimit(PATIENCE);
+    /** A provider whose stop is answered when the test does. */
+    private record Anchor(CountDownLatch stopping, Deferred<@Nullable Void> stopped) implements Provider {
+        Anchor() {
+            this(new CountDownLatch(1), Deferred.unbound());
+        }
+
+        @Override
+        public Promise<@Nullable Void> start() {
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> stop() {
+            stopping.countDown();
+            return stopped;
+        }
+
+        @Override
+        public Promise<@Nullable Void> check() {
+            return Promise.done();
+        }
+    }
+
+    private static Anchor anchored(Broker broker) throws Exception {
+        var anchor = new Anchor();
+        broker.register("anchor", List.of(), new Address("node", "anchor"), anchor)
+                .get(PATIENCE);
+        broker.require(Need.ofService("ship", "anchor")).get(PATIENCE);
+        return anchor;
+    }
+
+    @Test
+    void close_waitsUntilTheProvidersHaveStopped() throws Exception {
+        try (var brokers = space("brokers")) {
+            var broker = Broker.open("node", brokers, PATIENT_BROKER.withObserver(events::add));
+            var anchor = anchored(broker);
+            var closing = new Thread(broker::close, "closing");
+            closing.start();
+            anchor.stopping().await();
+            while (closing.getState() != Thread.State.TIMED_WAITING) {
+                assertThat(closing.isAlive()).isTrue();
+                Thread.onSpinWait();
+            }
+            anchor.stopped().resolve(null);
+            closing.join();
+            assertThat(broker.registered().get(PATIENCE))
+                    .extracting(ServiceRecord::health)
+                    .containsExactly(Health.STOPPED);
+        }
+    }
+
+    @Test
+    void close_onTheThreadOfASpace_doesNotWait() throws Exception {
+        try (var brokers = space("brokers");
+                var other = space("other")) {
+            var broker = Broker.open("node", brokers, PATIENT_BROKER.withObserver(events::add));
+            var anchor = anchored(broker);
+            Deferred<String> returned = Deferred.unbound();
+            other.execute(() -> {
+                broker.close();
+                returned.resolve("returned");
+            });
+            assertThat(returned.get(PATIENCE)).isEqualTo("returned");
+            anchor.stopped().resolve(null);
+            assertThat(broker.closeAsync().get(PATIENCE)).isEmpty();
+        }
+    }
+
     private static final Need PARROT = Need.ofService("robot 1", "parrot");
 
     private final List<BrokerEvent> events = Collections.synchronizedList(new ArrayList<>());
@@ -100,7 +169,7 @@ class BrokerThreadsTest {
                 assertThat(await(brokers, again.actor().say("2"))).isEqualTo("b: 2");
             }
             release.countDown();
-            assertThat(await(brokers, broker.shutDown())).isEmpty();
+            assertThat(await(brokers, broker.closeAsync())).isEmpty();
         } finally {
             release.countDown();
             brokers.close();
@@ -155,7 +224,7 @@ class BrokerThreadsTest {
                     .hasSize(replacements);
             assertThat(events)
                     .noneMatch(event -> event instanceof BrokerEvent.Late || event instanceof BrokerEvent.UserFailed);
-            assertThat(broker.shutDown().get(PATIENCE)).isEmpty();
+            assertThat(broker.closeAsync().get(PATIENCE)).isEmpty();
         }
     }
 
@@ -279,7 +348,7 @@ class BrokerThreadsTest {
                 b.actor().publish(204);
                 await("a reads 204 from b#2");
             }
-            assertThat(broker.shutDown().get(PATIENCE)).isEmpty();
+            assertThat(broker.closeAsync().get(PATIENCE)).isEmpty();
             assertThat(news).noneMatch(entry -> entry.contains("reads"));
         }
     }

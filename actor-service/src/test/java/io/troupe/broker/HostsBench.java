@@ -96,7 +96,7 @@ class HostsBench {
         void die() {
             bus.close();
             hosts.remove(name);
-            get(broker.shutDown());
+            get(broker.closeAsync());
         }
     }
 
@@ -108,7 +108,7 @@ class HostsBench {
 
     @AfterEach
     void close() {
-        hosts.values().forEach(host -> get(host.broker.shutDown()));
+        hosts.values().forEach(host -> get(host.broker.closeAsync()));
         test.runQueued();
         hosts.values().forEach(host -> host.bus.close());
         test.runQueued();

@@ -290,6 +290,6 @@ class MethodsEverywhereTest extends HostsBench {
                 .forEach(each -> assertThatThrownBy(each::run)
                         .isInstanceOf(ActorTypeException.class)
                         .hasMessageContaining(why));
-        await(broker.shutDown());
+        await(broker.closeAsync());
     }
 }

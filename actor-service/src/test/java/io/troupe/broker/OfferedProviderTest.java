@@ -513,7 +513,7 @@ class OfferedProviderTest extends HostsBench {
         get(near.broker.register("slow", List.of(), new Address("near", "slow"), new SlowToStop(slow)));
         get(near.broker.require(Need.ofService("user", "slow")));
         published.clear();
-        var shutDown = near.broker.shutDown();
+        var shutDown = near.broker.closeAsync();
         test.runQueued();
         assertThat(shutDown.isDone()).isFalse();
         assertThat(published).last().satisfies(last -> assertThat(last.offers()).isEmpty());

@@ -110,7 +110,7 @@ class OffersTest extends HostsBench {
         assertThatThrownBy(() -> alone.offers(Duration.ofSeconds(1)))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("these services have no bus: use Broker.over");
-        get(b.broker.shutDown());
+        get(b.broker.closeAsync());
         test.runQueued();
         assertThat(test.error(b.services.offers(Duration.ofSeconds(1)))).isInstanceOf(IllegalStateException.class);
     }
@@ -153,7 +153,7 @@ class OffersTest extends HostsBench {
         var inC = c.connected().say("2");
         assertThat(List.of(get(inB), get(inC))).containsExactly("grey: 1", "grey: 2");
         assertThat(diary).containsOnlyOnce("grey is made");
-        get(b.broker.shutDown());
+        get(b.broker.closeAsync());
         assertThat(get(c.connected().say("3"))).as("a stop by one user").isEqualTo("grey: 3");
     }
 
@@ -218,7 +218,7 @@ class OffersTest extends HostsBench {
         b.publish("b1");
         var parrot = c.connected();
         get(parrot.say("1"));
-        get(a.broker.shutDown());
+        get(a.broker.closeAsync());
         assertThat(get(parrot.say("2"))).isEqualTo("b1: 2");
         assertThat(c.health("a/parrot")).isNull();
     }

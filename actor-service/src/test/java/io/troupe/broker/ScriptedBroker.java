@@ -64,8 +64,8 @@ class ScriptedBroker extends BrokerBench {
             case "withdraw" -> note(step, broker.withdraw(at(who)));
             case "replace" -> note(step, replace(who, step[3], option(step, "at", step[3])));
             case "registered" -> note(step, broker.registered());
-            case "close" -> broker.close();
-            case "shutDown" -> note(step, broker.shutDown());
+            case "close" -> broker.closeAsync().handle((left, error) -> true);
+            case "shutDown" -> note(step, broker.closeAsync());
             case "health" -> diary.add(health(who).toString());
             case "why" -> diary.add(missing);
             case "reasons" -> diary.addAll(reasons);

@@ -56,7 +56,7 @@ class ServiceModuleTest {
                             System.out.println(connection.actor().greet(ada).get(limit));
                             System.out.println(connection.actor().polite(ada));
                         }
-                        broker.shutDown().get(limit);
+                        broker.closeAsync().get(limit);
                     }
                     System.out.println(Ship.class.getModule() + ", " + Broker.class.getModule());
                 }

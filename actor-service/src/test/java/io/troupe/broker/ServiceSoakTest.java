@@ -154,7 +154,7 @@ class ServiceSoakTest {
             for (var each : load) {
                 each.get();
             }
-            assertThat(broker.shutDown().get(LONG)).isEmpty();
+            assertThat(broker.closeAsync().get(LONG)).isEmpty();
         } catch (Exception failure) {
             throw new AssertionError(failure);
         }

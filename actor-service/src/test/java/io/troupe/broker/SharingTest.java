@@ -42,7 +42,7 @@ class SharingTest extends HostsBench {
         assertThat(base.found()).containsExactly("laptop/parrot");
         assertThat(alone.found()).isEmpty();
         assertThat(get(other.find(PARROT))).isEmpty();
-        get(other.shutDown());
+        get(other.closeAsync());
     }
 
     @Test
@@ -55,7 +55,7 @@ class SharingTest extends HostsBench {
         test.runQueued();
         get(second.broker.require(PARROT));
         assertThat(laptopHealth()).isEqualTo(Health.WELL);
-        get(second.broker.shutDown());
+        get(second.broker.closeAsync());
         assertThat(laptopHealth()).isEqualTo(Health.STOPPED);
     }
 

@@ -43,7 +43,7 @@ public final class HelloService {
             var services = broker.services();
             publish(services, space);
             System.out.println("in one process: " + call(services));
-            broker.shutDown().get(LIMIT); // stops the actor
+            broker.close(); // stops the actor
         }
     }
 
@@ -58,8 +58,8 @@ public final class HelloService {
             var shoreBroker = Broker.over(shoreBus, shore, BrokerSettings.defaults());
             var guest = shoreBroker.services();
             System.out.println("over hosts: " + call(guest));
-            shoreBroker.shutDown().get(LIMIT);
-            shipBroker.shutDown().get(LIMIT);
+            shoreBroker.close();
+            shipBroker.close();
         }
     }
 

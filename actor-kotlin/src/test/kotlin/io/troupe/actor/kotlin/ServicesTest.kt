@@ -94,8 +94,8 @@ class ServicesTest : InTestSpace() {
     }
 
     @AfterEach
-    fun shutDown() {
-        brokers.forEach { test.get(it.shutDown()) }
+    fun closeAsync() {
+        brokers.forEach { test.get(it.closeAsync()) }
         test.runQueued()
         buses.forEach(Bus::close)
         test.runQueued()

@@ -83,7 +83,7 @@ final class AppOverBus {
                 Thread.sleep(POLL);
             }
         } finally {
-            space.stop(node::stop);
+            space.stop(node::closeAsync);
         }
         space.rethrowFailure();
     }

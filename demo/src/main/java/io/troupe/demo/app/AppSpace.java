@@ -103,7 +103,7 @@ final class AppSpace implements AutoCloseable {
 
     /** Stops an application, and waits until it has ended. */
     void stop(Application application) throws InterruptedException {
-        space.execute(application::stop);
+        space.execute(application::closeAsync);
         await(application.ended().handle((ended, error) -> true).toCompletableFuture(), STOP_LIMIT, "to stop");
     }
 

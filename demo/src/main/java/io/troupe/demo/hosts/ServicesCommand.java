@@ -81,7 +81,7 @@ public final class ServicesCommand implements Callable<Integer> {
             try {
                 return broker.services().offers(WAIT).get(LIMIT);
             } finally {
-                broker.shutDown().get(LIMIT);
+                broker.close();
             }
         } catch (TimeoutException late) {
             throw new BusException("the offers on the bus were not complete within " + LIMIT.toSeconds() + " s", late);

@@ -283,8 +283,8 @@ class AppCommandTest extends CommandLineBench {
             run(BrokerSettings.defaults(), (simulation, space, application) -> {
                 tick(simulation, 100);
                 ends.add(pose(simulation, 0) + " " + pose(simulation, 1));
-                space.execute(application::stop);
-                application.ended().get(Duration.ofSeconds(60));
+                application.close();
+                assertThat(application.ended().isDone()).isTrue();
             });
         }
         assertThat(ends).hasSize(2);

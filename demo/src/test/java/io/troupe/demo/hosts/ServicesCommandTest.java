@@ -97,7 +97,7 @@ class ServicesCommandTest extends CommandLineBench {
                         FAILED,
                         line + " --name host-a",
                         "node host-a cannot be opened: another process has that name on " + server.address());
-                broker.shutDown().get(LONG);
+                broker.closeAsync().get(LONG);
             }
         }
     }

@@ -148,6 +148,6 @@ public final class RobotNode implements AutoCloseable {
     /** Closes the broker. Other processes notice it at once. */
     @Override
     public void close() {
-        broker.close();
+        broker.closeAsync().handle((left, error) -> null);
     }
 }

@@ -104,7 +104,7 @@ class ComponentsGuideTest {
 
     @AfterEach
     void nothingIsLeft() {
-        test.get(broker.shutDown());
+        test.get(broker.closeAsync());
         bus.close();
         test.runQueued();
         test.close();
@@ -161,7 +161,7 @@ class ComponentsGuideTest {
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(FakeRobots.ahead(0.2));
         assertThat(robots.lastCommand(1)).isEqualTo(FakeRobots.ahead(0.5));
-        test.get(started.getFirst().stop());
+        test.get(started.getFirst().closeAsync());
         robots.close();
     }
 

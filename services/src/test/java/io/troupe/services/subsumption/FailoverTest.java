@@ -83,7 +83,7 @@ class FailoverTest extends RobotsBench {
 
     @AfterEach
     void closeNodes() {
-        nodes.values().forEach(node -> test.get(node.broker().shutDown()));
+        nodes.values().forEach(node -> test.get(node.broker().closeAsync()));
         test.runQueued();
         buses.forEach(Bus::close);
         test.runQueued();

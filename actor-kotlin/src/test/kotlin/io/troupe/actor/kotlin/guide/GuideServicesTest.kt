@@ -22,7 +22,7 @@ class GuideServicesTest {
             val greeter = services.connect<Greeter>(Need.ofService("guest", "greeter")).actor()
             greeter.remember("Ada")
             val answer = runBlocking { greeter.greet("Ada") }
-            broker.shutDown()
+            broker.close()
             assertThat(answer).isEqualTo("Hello again, Ada")
         }
     }

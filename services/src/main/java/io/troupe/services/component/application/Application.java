@@ -23,6 +23,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -34,8 +35,8 @@ import org.jspecify.annotations.Nullable;
  * by the brokers of these nodes ({@link ApplicationNode}), and are found, started, checked and lost like other
  * providers of other processes.
  *
- * <p><b>Threads.</b> One actor space, on which it is started and stopped, and on which it notifies its observers. The
- * bus is left open.
+ * <p><b>Threads.</b> One actor space, on which it is started, and on which it notifies its observers. The bus is left
+ * open.
  *
  * <p><b>Order.</b> Needs are met one after the other, in the order of the plan. The times of replacements count from
  * the moment when all needs are met. When one provider replaces another, their wires are exchanged in one turn of the
@@ -49,7 +50,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Source.</b> Paper, sections 1 ("terminate gracefully with proper error messages"), 2.1.3 and 2.2.4.
  */
-public final class Application {
+public final class Application implements AutoCloseable {
     private static final Duration NODE_LIMIT = Duration.ofSeconds(5);
 
     private final ActorSpace space;
@@ -392,10 +393,50 @@ public final class Application {
 
     // ---- the end
 
-    /** Stops everything that was started, in reverse order, and leaves the bus. Fulfilled when this is done. */
-    public Promise<@Nullable Void> stop() {
-        end(null);
+    /**
+     * Stops everything that was started, in reverse order, and leaves the bus. From any thread.
+     *
+     * @return as {@link #ended}
+     */
+    public Promise<@Nullable Void> closeAsync() {
+        if (ActorSpace.current() == space) {
+            end(null);
+        } else {
+            space.execute(() -> end(null));
+        }
         return ended;
+    }
+
+    /**
+     * Like {@link #closeAsync}, and waits until that is done: for threads outside every space. On the thread of a space
+     * it does not wait.
+     *
+     * @throws ApplicationException if it takes longer than a minute; it goes on
+     */
+    @Override
+    public void close() {
+        Waiting.until(closeAsync(), "the application " + plan.name());
+    }
+
+    /** Waits outside every space. */
+    static final class Waiting {
+        private static final Duration LIMIT = Duration.ofMinutes(1);
+
+        private Waiting() {}
+
+        static void until(Promise<?> closed, String what) {
+            Promise<?> over = closed.handle((done, error) -> true); // its error was that of its end
+            if (ActorSpace.current() != null) {
+                return;
+            }
+            try {
+                over.get(LIMIT);
+            } catch (TimeoutException late) {
+                throw new ApplicationException(what + " has not been closed within " + LIMIT + "; it goes on");
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
     }
 
     private void end(@Nullable Throwable why) {
@@ -405,7 +446,7 @@ public final class Application {
         ending = true;
         awaited.clear();
         allOffered.resolve(null);
-        broker.shutDown().onSettled((left, error) -> {
+        broker.closeAsync().onSettled((left, error) -> {
             connections.forEach(NeedConnection::disconnect);
             offers.values().stream().map(Offer::here).filter(Objects::nonNull).forEach(ComponentInterface::close);
             port.close();

@@ -22,12 +22,12 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> Attaches the components to the bus, and has a broker that offers them; the application, which runs on
  * the first node, starts and ends them. They may be started again, by the same application or by a later one.
  *
- * <p><b>Threads.</b> One actor space, on which it is opened and stopped. The bus is left open.
+ * <p><b>Threads.</b> One actor space, on which it is opened. The bus is left open.
  *
  * <p><b>Errors.</b> If nothing has come from the application for 3 s, it has ended, or is cut off: the components that
  * run are terminated, which is reported to the observer. A pause of this process does not count.
  */
-public final class ApplicationNode {
+public final class ApplicationNode implements AutoCloseable {
     private final Broker broker;
     private final List<ComponentInterface<?, ?>> components;
 
@@ -86,11 +86,20 @@ public final class ApplicationNode {
         };
     }
 
-    /** Ends the components and leaves the bus. */
-    public Promise<@Nullable Void> stop() {
-        return broker.shutDown().handle((left, error) -> {
+    /** Ends the components and leaves the bus. From any thread. */
+    public Promise<@Nullable Void> closeAsync() {
+        return broker.closeAsync().handle((left, error) -> {
             components.forEach(ComponentInterface::close); // reports a failed termination
             return null;
         });
+    }
+
+    /**
+     * Like {@link #closeAsync}, and waits until that is done: for threads outside every space. On the thread of a space
+     * it does not wait.
+     */
+    @Override
+    public void close() {
+        Application.Waiting.until(closeAsync(), "the node of an application");
     }
 }

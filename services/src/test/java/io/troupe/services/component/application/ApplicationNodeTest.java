@@ -207,10 +207,10 @@ class ApplicationNodeTest {
     void nothingIsLeft() {
         robots.close();
         if (application != null) {
-            test.get(application.stop().handle((ended, error) -> true));
+            test.get(application.closeAsync().handle((ended, error) -> true));
         }
         if (node != null) {
-            test.get(node.stop().handle((ended, error) -> true));
+            test.get(node.closeAsync().handle((ended, error) -> true));
         }
         base.close();
         laptop.close();
@@ -230,7 +230,7 @@ class ApplicationNodeTest {
         assertThat(robots.commands(0)).containsExactly(ahead(0.2));
         assertThatThrownBy(() -> application.componentInterface("follower"))
                 .hasMessage("follower runs on node laptop, expected one of [robots, reserve]");
-        test.get(application.stop());
+        test.get(application.closeAsync());
         assertThat(observer.take()).contains("follower STOPPED");
     }
 
@@ -297,7 +297,7 @@ class ApplicationNodeTest {
         assertThat(observer.take()).contains("follower STOPPED");
         wire.held.clear();
         wire.hold();
-        test.run(application::stop);
+        test.run(application::closeAsync);
         seconds(20);
         assertThat(application.ended().isDone()).isTrue();
 
@@ -307,7 +307,7 @@ class ApplicationNodeTest {
             });
             test.get(application.started());
             assertThat(observer.take()).contains("follower STARTED");
-            test.get(application.stop());
+            test.get(application.closeAsync());
         }
     }
 

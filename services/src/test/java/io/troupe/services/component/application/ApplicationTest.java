@@ -61,7 +61,7 @@ class ApplicationTest extends ComponentBench {
     @AfterEach
     void nothingIsLeft() {
         robots.close();
-        test.get(application.stop().handle((ended, error) -> true));
+        test.get(application.closeAsync().handle((ended, error) -> true));
         test.runQueued();
         assertThat(robots.connections()).as("connections left open").isZero();
     }
@@ -145,7 +145,7 @@ class ApplicationTest extends ComponentBench {
     void stop_endsEverythingThatWasStarted_robotsStandStill_andChangesAreRefused() {
         run(plan(TWO_ROBOTS));
         robots.tick(100);
-        test.get(application.stop());
+        test.get(application.closeAsync());
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
         assertThat(robots.lastCommand(1)).isEqualTo(STOP);
         assertThat(List.of(state("robots"), state("follower"), state("wanderer")))
@@ -413,7 +413,7 @@ class ApplicationTest extends ComponentBench {
         assertThat(robots.commands(0)).hasSize(before + 59);
         assertThat(first.calls).containsExactly("invoke", "terminate");
         assertThat(application.ended().isDone()).isFalse();
-        application.stop().handle((ended, error) -> true);
+        application.closeAsync().handle((ended, error) -> true);
         test.advance(Duration.ofSeconds(20)); // the limit for a hanging provider
     }
 
