@@ -7,7 +7,7 @@ module io.troupe.service {
     exports io.troupe.broker;
     exports io.troupe.bus;
     exports io.troupe.bus.internal to
-            io.troupe.services; // for the names of its own ports
+            io.troupe.services; // for the names of its ports
 
     opens io.troupe.broker to
             io.troupe.actor; // for the proxies of its actors

@@ -114,10 +114,12 @@ public final class Broker implements AutoCloseable {
         ActorServices services = broker.services;
         var context =
                 new OfferedProvider.Context(bus, port, settings, sharing, services.others(), messages, incarnation);
-        services.exchangeBy(messages, space.spawn(
-                ActorServices.Exchange.class,
-                () -> new OfferExchange(context, broker.actor, services.actors()),
-                ActorSettings.named("broker's offers")));
+        services.exchangeBy(
+                messages,
+                space.spawn(
+                        ActorServices.Exchange.class,
+                        () -> new OfferExchange(context, broker.actor, services.actors()),
+                        ActorSettings.named("broker's offers")));
         return broker;
     }
 

@@ -103,8 +103,7 @@ public final class BusPort implements AutoCloseable {
      *
      * @param listener receives each value before it is published again
      */
-    public <T extends Record> Subscription forward(
-            BusTopic<T> from, BusTopic<T> to, Subscriber<? super T> listener) {
+    public <T extends Record> Subscription forward(BusTopic<T> from, BusTopic<T> to, Subscriber<? super T> listener) {
         Objects.requireNonNull(to, "to");
         Objects.requireNonNull(listener, "listener");
         return subscribe(new TopicSubscription<T>(this, from, listener, to));

@@ -95,7 +95,7 @@ class ArrowsTest {
         "sim..,                 actor.. player.. common..",
         "sim.model,             common..",
         "sim.worldfile,         sim.model common..",
-        "services..,            actor.. bus broker.. player.. common..",
+        "services..,            actor.. bus bus.internal broker.. player.. common..",
         "petri..,               common.. drawing",
         "petri,                 common.. drawing",
         "petri.structure,       petri",
