@@ -335,6 +335,6 @@ class BrokerActor extends Actor {
 
     @Override
     protected void stopped() {
-        context.begun().forEach(registration -> events.publish(new BrokerEvent.Abandoned(registration.toRecord())));
+        context.begun().forEach(registration -> events.publish(new BrokerEvent.LeftRunning(registration.toRecord())));
     }
 }

@@ -70,7 +70,7 @@ public interface BrokerEvent {
     record UserGone(Need need) implements BrokerEvent {}
 
     /** A one-way call through a connection was not delivered to any provider. */
-    record Undelivered(Need need, String call, Throwable why) implements BrokerEvent {}
+    record CallRejected(Need need, String call, Throwable why) implements BrokerEvent {}
 
     /**
      * The process that had a provider of this process started is gone or silent, and the provider runs only for others
@@ -79,5 +79,5 @@ public interface BrokerEvent {
     record Unused(ServiceRecord provider, String why) implements BrokerEvent {}
 
     /** The broker's space was closed before the broker. The provider may still run. */
-    record Abandoned(ServiceRecord provider) implements BrokerEvent {}
+    record LeftRunning(ServiceRecord provider) implements BrokerEvent {}
 }

@@ -36,8 +36,8 @@ public interface BrokerObserver {
             case BrokerEvent.StopFailed e -> Level.WARNING;
             case BrokerEvent.Late e -> Level.WARNING;
             case BrokerEvent.UserFailed e -> Level.WARNING;
-            case BrokerEvent.Undelivered e -> Level.WARNING;
-            case BrokerEvent.Abandoned e -> Level.WARNING;
+            case BrokerEvent.CallRejected e -> Level.WARNING;
+            case BrokerEvent.LeftRunning e -> Level.WARNING;
             default -> Level.DEBUG;
         };
     }
@@ -51,7 +51,7 @@ public interface BrokerObserver {
             case BrokerEvent.StopFailed e -> e.why();
             case BrokerEvent.Late e -> e.error();
             case BrokerEvent.UserFailed e -> e.why();
-            case BrokerEvent.Undelivered e -> e.why();
+            case BrokerEvent.CallRejected e -> e.why();
             default -> null;
         };
     }

@@ -309,7 +309,7 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
     private void rejectUnsent(PendingCall call, Throwable why) {
         call.failCallbacks(why); // a one-way call has no promise to reject
         if (!call.reject(why)) {
-            events().publish(new BrokerEvent.Undelivered(need, call.toString(), why));
+            events().publish(new BrokerEvent.CallRejected(need, call.toString(), why));
         }
     }
 

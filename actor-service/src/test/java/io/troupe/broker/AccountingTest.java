@@ -308,7 +308,7 @@ class AccountingTest {
 
         private long undelivered() {
             return events.stream()
-                    .filter(BrokerEvent.Undelivered.class::isInstance)
+                    .filter(BrokerEvent.CallRejected.class::isInstance)
                     .count();
         }
 

@@ -574,7 +574,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         var refused = test.<List<Integer>>callback();
         feed.feed(refused, withNull());
         assertThat(refused.expectFailed()).hasMessageContaining("argument 2 cannot be sent");
-        assertThat(near.events(BrokerEvent.Undelivered.class)).hasSize(1);
+        assertThat(near.events(BrokerEvent.CallRejected.class)).hasSize(1);
         assertThat(senders).isEmpty();
         var probe = test.<List<Integer>>callback();
         feed.feed(probe, List.of());

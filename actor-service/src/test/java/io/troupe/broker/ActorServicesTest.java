@@ -261,8 +261,8 @@ class ActorServicesTest extends BrokerBench {
                 false,
                 "Parrot.say(String) of \"robot 1\", which needs the service \"parrot\", found no provider within PT2S: "
                         + "\"robot 1\" needs the service \"parrot\", which no provider offers; registered: nothing");
-        assertThat(events(BrokerEvent.Undelivered.class))
-                .extracting(BrokerEvent.Undelivered::call)
+        assertThat(events(BrokerEvent.CallRejected.class))
+                .extracting(BrokerEvent.CallRejected::call)
                 .containsExactly("Parrot.hear(String)");
     }
 
@@ -456,9 +456,9 @@ class ActorServicesTest extends BrokerBench {
         connected(PATIENT).hear("old news");
         test.runQueued();
         test.advance(Duration.ofMillis(900));
-        assertThat(events(BrokerEvent.Undelivered.class)).isEmpty();
+        assertThat(events(BrokerEvent.CallRejected.class)).isEmpty();
         test.advance(Duration.ofMillis(200));
-        assertThat(events(BrokerEvent.Undelivered.class))
+        assertThat(events(BrokerEvent.CallRejected.class))
                 .extracting(event -> event.call() + " " + event.why().getMessage())
                 .singleElement()
                 .asString()

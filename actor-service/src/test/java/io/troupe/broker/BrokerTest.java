@@ -561,7 +561,7 @@ class BrokerTest extends ScriptedBroker {
         var bench = new BrokerTest();
         bench.play("offer a, require 1 | start a, require 1: a WELL");
         bench.test.close();
-        assertThat(bench.events(BrokerEvent.Abandoned.class))
+        assertThat(bench.events(BrokerEvent.LeftRunning.class))
                 .extracting(event -> event.provider().provider().name())
                 .containsExactly("a");
     }

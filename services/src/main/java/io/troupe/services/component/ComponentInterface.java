@@ -206,9 +206,9 @@ public final class ComponentInterface<I, O> implements AutoCloseable {
                 fail(thrown);
                 return;
             }
-            int discarded = conversion.discardInput();
-            if (discarded > 0) {
-                observer.info(address(), discarded + " values for its last life were forgotten");
+            int dropped = conversion.dropInput();
+            if (dropped > 0) {
+                observer.info(address(), dropped + " values for its last life were forgotten");
             }
             bus.subscribe(component.subscribes(), this::received);
             attempt(() -> communication().invoke(this)).onSettled((done, error) -> {

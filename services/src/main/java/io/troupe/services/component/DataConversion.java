@@ -2,7 +2,6 @@ package io.troupe.services.component;
 
 import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.bus.Address;
-import io.troupe.services.component.Buffering.OverflowPolicy;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
@@ -19,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Order.</b> First in, first out, in each direction.
  *
- * <p><b>Errors.</b> A value is lost if a buffer is full, a conversion fails, or the bus refuses it. Losses are counted
+ * <p><b>Errors.</b> A value is lost if a buffer is full, a conversion fails, or the bus rejects it. Losses are counted
  * and reported to the observer; other values are not affected.
  *
  * <p><b>Source.</b> Paper, section 2.2.2.2.
@@ -29,17 +28,17 @@ public final class DataConversion<I, O> {
      * Number of lost values, both directions together.
      *
      * @param dropped values dropped because a buffer was full
-     * @param superseded values replaced by a newer one of their topic, if only the latest value counts
-     * @param refused values that could not be converted or published
+     * @param replaced values replaced by a newer one of their topic, if only the latest value counts
+     * @param failed values that could not be converted or published
      */
-    public record Losses(long dropped, long superseded, long refused) {}
+    public record Losses(long dropped, long replaced, long failed) {}
 
     private final Address owner;
     private final Conversion<I, O> conversion;
     private final ComponentObserver observer;
     private final DataBuffer toApplication;
     private final DataBuffer toComponent;
-    private final AtomicLong refused = new AtomicLong();
+    private final AtomicLong failed = new AtomicLong();
 
     DataConversion(Address owner, Component<I, O> component, ComponentObserver observer) {
         this.owner = owner;
@@ -54,8 +53,8 @@ public final class DataConversion<I, O> {
         List<ApplicationData<?>> converted;
         try {
             converted = List.copyOf(conversion.toApplication(output));
-        } catch (RuntimeException | Error refusal) {
-            refuse("convert " + output, refusal);
+        } catch (RuntimeException | Error failure) {
+            noteFailure("convert " + output, failure);
             return;
         }
         converted.forEach(data -> put(toApplication, data));
@@ -74,8 +73,8 @@ public final class DataConversion<I, O> {
         for (var data : toApplication.drain()) {
             try {
                 publisher.accept(data);
-            } catch (RuntimeException | Error refusal) {
-                refuse("publish " + data, refusal);
+            } catch (RuntimeException | Error failure) {
+                noteFailure("publish " + data, failure);
             }
         }
     }
@@ -89,8 +88,8 @@ public final class DataConversion<I, O> {
             I input;
             try {
                 input = conversion.toComponent(data);
-            } catch (RuntimeException | Error refusal) {
-                refuse("convert " + data, refusal);
+            } catch (RuntimeException | Error failure) {
+                noteFailure("convert " + data, failure);
                 continue;
             }
             component.accept(input);
@@ -98,11 +97,11 @@ public final class DataConversion<I, O> {
     }
 
     /**
-     * Discards the buffered input of an earlier run.
+     * Drops the buffered input of an earlier run.
      *
-     * @return the number of discarded values
+     * @return the number of dropped values
      */
-    int discardInput() {
+    int dropInput() {
         return toComponent.drain().size();
     }
 
@@ -110,8 +109,8 @@ public final class DataConversion<I, O> {
     public Losses losses() {
         return new Losses(
                 toApplication.dropped() + toComponent.dropped(),
-                toApplication.superseded() + toComponent.superseded(),
-                refused.get());
+                toApplication.replaced() + toComponent.replaced(),
+                failed.get());
     }
 
     private void put(DataBuffer buffer, ApplicationData<?> data) {
@@ -121,8 +120,8 @@ public final class DataConversion<I, O> {
         }
     }
 
-    private void refuse(String what, Throwable why) {
-        refused.incrementAndGet();
+    private void noteFailure(String what, Throwable why) {
+        failed.incrementAndGet();
         observer.problem(owner, "could not " + what, why);
     }
 
@@ -135,7 +134,7 @@ public final class DataConversion<I, O> {
         private final Buffering buffering;
         private final BoundedQueue<ApplicationData<?>> values; // guarded by this, as are the counters
         private long dropped;
-        private long superseded;
+        private long replaced;
 
         DataBuffer(Buffering buffering) {
             this.buffering = buffering;
@@ -148,9 +147,8 @@ public final class DataConversion<I, O> {
          * @return the value that was dropped to make room, or null
          */
         synchronized @Nullable ApplicationData<?> add(ApplicationData<?> data) {
-            if (buffering.overflow() == OverflowPolicy.LATEST_OF_EACH_TOPIC
-                    && values.removeIf(each -> each.topic().equals(data.topic()))) {
-                superseded++;
+            if (buffering.onlyLatest() && values.removeIf(each -> each.topic().equals(data.topic()))) {
+                replaced++;
             }
             ApplicationData<?> oldest = values.offer(data);
             if (oldest != null) {
@@ -168,8 +166,8 @@ public final class DataConversion<I, O> {
             return dropped;
         }
 
-        synchronized long superseded() {
-            return superseded;
+        synchronized long replaced() {
+            return replaced;
         }
     }
 }

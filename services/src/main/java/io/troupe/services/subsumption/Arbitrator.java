@@ -117,9 +117,8 @@ public class Arbitrator extends Actor {
                                 .ifPresent(next -> changeState(next, robot));
                     }
                 })
-                .handle((end, error) -> {
+                .onSettled((end, error) -> {
                     serviceEnded(robot, service, changesBefore, error);
-                    return null;
                 });
     }
 

@@ -148,9 +148,8 @@ public final class LeasedRobots {
         if (before == null) {
             drive.attempt();
         } else {
-            before.ended.handle((end, error) -> {
+            before.ended.onSettled((end, error) -> {
                 drive.attempt();
-                return null;
             });
         }
         return drive.ended;
@@ -199,13 +198,12 @@ public final class LeasedRobots {
             } else if (hosts == null) {
                 call(Stamp.NONE);
             } else {
-                provider.stamp().orTimeout(stampLimit(hosts)).handle((stamp, error) -> {
+                provider.stamp().orTimeout(stampLimit(hosts)).onSettled((stamp, error) -> {
                     if (error == null && !stopping) {
                         call(stamp);
                     } else {
                         lost(error == null ? new TimeoutException("stopped") : error);
                     }
-                    return null;
                 });
             }
         }
@@ -283,7 +281,7 @@ public final class LeasedRobots {
         private void findLast(Hosts over, Throwable why) {
             over.broker
                     .require(Need.ofCapability(SubsumptionRun.CALLER, service))
-                    .handle((found, missing) -> {
+                    .onSettled((found, missing) -> {
                         if (stopping) {
                             end(Optional.empty());
                         } else if (missing != null) {
@@ -295,7 +293,6 @@ public final class LeasedRobots {
                             lostNanos = over.nowNanos();
                             attempt();
                         }
-                        return null;
                     });
         }
     }
@@ -324,11 +321,10 @@ public final class LeasedRobots {
 
         void begin() {
             running = drive.call.of(drive.provider, lease);
-            running.handle((how, error) -> {
+            running.onSettled((how, error) -> {
                 if (!ended) {
                     hasEnded(how, error);
                 }
-                return null;
             });
             if (hosts != null) {
                 stampedNanos = hosts.nowNanos();
@@ -369,11 +365,10 @@ public final class LeasedRobots {
 
         private void renew(Hosts over) {
             overNanos = stampedNanos + CERTAINLY_OVER.toNanos();
-            drive.provider.renew(lease, drive.robot).orTimeout(ANSWER_LIMIT).handle((renewal, error) -> {
+            drive.provider.renew(lease, drive.robot).orTimeout(ANSWER_LIMIT).onSettled((renewal, error) -> {
                 if (!ended && !unanswered && renewal != null) {
                     renewed(over, renewal);
                 }
-                return null;
             });
         }
 
@@ -393,7 +388,7 @@ public final class LeasedRobots {
         void stop() {
             if (!ended) { // the answer is not used, the end of the call is
                 Promise<?> answer = drive.provider.stop(lease, drive.robot);
-                (hosts == null ? answer : answer.orTimeout(ANSWER_LIMIT)).handle((stopped, error) -> null);
+                (hosts == null ? answer : answer.orTimeout(ANSWER_LIMIT)).onRejected(error -> {});
             }
         }
 

@@ -138,7 +138,7 @@ public final class RobotNode implements AutoCloseable {
             space.execute(() -> {
                 RobotServicesActor actor = current.get();
                 Promise<?> stopped = actor == null ? Promise.done() : actor.leave();
-                stopped.handle((done, error) -> left.resolve(null));
+                stopped.onSettled((done, error) -> left.resolve(null));
             });
             return left.thenCompose(stopped -> published)
                     .thenCompose(record -> node.broker.withdraw(record.provider()));

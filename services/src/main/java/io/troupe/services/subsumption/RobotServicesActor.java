@@ -298,9 +298,8 @@ public final class RobotServicesActor extends Actor implements RobotServices {
         if (before == null) {
             drive.begin(finder);
         } else {
-            before.ended.handle((stopped, error) -> {
+            before.ended.onSettled((stopped, error) -> {
                 drive.begin(finder);
-                return null;
             });
         }
         return drive.ended.thenApply(ended -> new ServiceEnd(drive.seen, drive.lost));
@@ -412,9 +411,8 @@ public final class RobotServicesActor extends Actor implements RobotServices {
                 connection.robots().getFirst().useLaser(); // the table may give this service to other robots only
             }
             running = new RunningService(this, connection, finder, !connections.takeReconnected(robot));
-            running.run().handle((stopped, error) -> {
+            running.run().onSettled((stopped, error) -> {
                 hasEnded(error);
-                return null;
             });
         }
 
@@ -431,7 +429,7 @@ public final class RobotServicesActor extends Actor implements RobotServices {
                 ended.reject(error);
             }
             if (terms.leasesEnd() && error instanceof PlayerException && !leaving) { // another one may reach them
-                leave().handle((stopped, failed) -> context().after(LAST_ANSWERS, context()::stop));
+                leave().onSettled((stopped, failed) -> context().after(LAST_ANSWERS, context()::stop));
             }
         }
 

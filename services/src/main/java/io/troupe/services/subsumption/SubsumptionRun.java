@@ -308,7 +308,7 @@ public final class SubsumptionRun implements AutoCloseable {
             case BrokerEvent.Failed(var provider, Throwable why) -> failed.accept(why);
             default -> {}
         }
-        if (!(event instanceof BrokerEvent.Abandoned)) { // a run ends with its space, and does not close the broker
+        if (!(event instanceof BrokerEvent.LeftRunning)) { // a run ends with its space, and does not close the broker
             BrokerObserver.logging().on(event);
         }
     }

@@ -12,7 +12,6 @@ import io.troupe.bus.Address;
 import io.troupe.bus.BusTopic;
 import io.troupe.bus.Operation;
 import io.troupe.bus.RemoteFailure;
-import io.troupe.services.component.Buffering.OverflowPolicy;
 import io.troupe.services.component.DataConversion.Losses;
 import io.troupe.services.component.ScriptedComponent.Number;
 import java.lang.reflect.Proxy;
@@ -33,7 +32,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ComponentInterfaceTest extends ComponentBench {
     private static final Duration LIMIT = Duration.ofSeconds(1);
     private static final Duration START_LIMIT = Duration.ofSeconds(10);
-    private static final Buffering TWO = new Buffering(2, OverflowPolicy.DROP_OLDEST);
+    private static final Buffering TWO = new Buffering(2, false);
 
     private final ScriptedComponent<String, String> script = ScriptedComponent.counter();
     private final List<Number> heard = listenTo(ScriptedComponent.OUT);
@@ -194,7 +193,7 @@ class ComponentInterfaceTest extends ComponentBench {
                         "counter could not convert counter/in Number[value=7]: an error, not an exception",
                         "counter could not convert four: For input string: \"four\"",
                         "counter could not convert 8: an error, not an exception");
-        assertThat(provider.conversion().losses().refused()).isEqualTo(4);
+        assertThat(provider.conversion().losses().failed()).isEqualTo(4);
         test.get(provider.check());
     }
 
@@ -224,7 +223,7 @@ class ComponentInterfaceTest extends ComponentBench {
         assertError(provider.check(), "here/counter has been terminated");
         assertHeard(1, 2);
         assertThat(notes.take()).anyMatch(note -> note.startsWith("counter could not publish other"));
-        assertThat(provider.conversion().losses().refused()).isEqualTo(1);
+        assertThat(provider.conversion().losses().failed()).isEqualTo(1);
     }
 
     // ---- components that fail
