@@ -6,8 +6,8 @@ import io.troupe.actor.internal.Forwarder;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.QueueEntries;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.IdentityHashMap;
@@ -101,13 +101,13 @@ final class ActorCell extends Recipient {
      * For callers on other threads, for threads that only borrow the space (runQueued, sequential bodies), for bounded
      * mailboxes, and for spaces with contexts or a call observer.
      */
-    private void sendSlowly(Node call, @Nullable Supplier<Runnable> context) {
+    private void sendSlowly(QueueEntry call, @Nullable Supplier<Runnable> context) {
         CallObserver observer = space.settings.callObserver();
         if (observer != null) {
             ObservedCalls.called(observer, this, call);
         }
         int handlers = HandlerTurn.ofSender(space);
-        Node entry = context == null && handlers == 0 ? call : new CarriedCall(this, call, context, handlers);
+        QueueEntry entry = context == null && handlers == 0 ? call : new CarriedCall(this, call, context, handlers);
         if (mailbox != null) {
             sendBounded(entry, mailbox);
         } else {
@@ -124,7 +124,7 @@ final class ActorCell extends Recipient {
         return space.capture(limit);
     }
 
-    private void sendBounded(Node call, BoundedMailbox bounded) {
+    private void sendBounded(QueueEntry call, BoundedMailbox bounded) {
         // checked first, so that a stack overflow cannot lose an acquired permit
         checkStack(FRAMES_FOR_QUEUEING);
         // no switch: its table is a class, whose initialisation would fail for good in a caller with little stack left
@@ -143,7 +143,7 @@ final class ActorCell extends Recipient {
         return frames == 0 ? 0 : 1 + checkStack(frames - 1);
     }
 
-    private void queue(Node call, BoundedMailbox bounded) {
+    private void queue(QueueEntry call, BoundedMailbox bounded) {
         try {
             space.enqueueMessage(call);
         } catch (Throwable notQueued) { // the caller's stack overflowed: release the permit
@@ -342,8 +342,8 @@ final class ActorCell extends Recipient {
         }
     }
 
-    private void queueAll(ArrayDeque<Node> calls) {
-        for (Node call = calls.peek(); call != null; call = calls.peek()) {
+    private void queueAll(ArrayDeque<QueueEntry> calls) {
+        for (QueueEntry call = calls.peek(); call != null; call = calls.peek()) {
             space.enqueueMessage(call);
             calls.remove();
         }
@@ -389,7 +389,7 @@ final class ActorCell extends Recipient {
     }
 
     /** The calls held back, until all of them have been delivered; or null. */
-    private @Nullable ArrayDeque<Node> held() {
+    private @Nullable ArrayDeque<QueueEntry> held() {
         return exceptional == null ? null : exceptional.held;
     }
 
@@ -461,7 +461,7 @@ final class ActorCell extends Recipient {
         if (had.held == null || had.byActor || instance == null) {
             return; // it has stopped, or is waiting again
         }
-        Node ticket = had.held.poll();
+        QueueEntry ticket = had.held.poll();
         if (ticket instanceof Entry) { // a stop, see stopBehindCalls()
             stop();
         } else if (ticket != null) {
@@ -479,8 +479,8 @@ final class ActorCell extends Recipient {
     }
 
     /** Rejects a call for which the mailbox had no room, or which was dropped for a newer one. Any thread. */
-    void drop(Node entry, String reason) {
-        Node call = CarriedCall.callIn(entry);
+    void drop(QueueEntry entry, String reason) {
+        QueueEntry call = CarriedCall.callIn(entry);
         noteDropped(call);
         Throwable error;
         try {
@@ -524,7 +524,7 @@ final class ActorCell extends Recipient {
     }
 
     /** The slow path: the actor is not running, its mailbox is bounded, or the request is cancelled. */
-    void deliverNext(Node ticket) {
+    void deliverNext(QueueEntry ticket) {
         if (space.isStopping()) {
             deliver(ticket); // to be rejected
             return;
@@ -542,8 +542,8 @@ final class ActorCell extends Recipient {
         }
     }
 
-    private void deliver(Node ticket) {
-        Node entry = mailbox == null ? ticket : mailbox.next(ticket);
+    private void deliver(QueueEntry ticket) {
+        QueueEntry entry = mailbox == null ? ticket : mailbox.next(ticket);
         if (entry instanceof CarriedCall carried) {
             carried.run(() -> deliverCall(CarriedCall.callIn(carried)));
         } else {
@@ -551,7 +551,7 @@ final class ActorCell extends Recipient {
         }
     }
 
-    private void deliverCall(Node call) {
+    private void deliverCall(QueueEntry call) {
         Object target = space.isStopping() ? null : instance; // no actor runs any more, whatever the end has left out
         if (call instanceof Request<?> request && (request.isDone() || request.dropIfAbandoned())) {
             noteDropped(call);
@@ -586,7 +586,7 @@ final class ActorCell extends Recipient {
         }
     }
 
-    private static void forward(Node call, Forwarder forwarder) {
+    private static void forward(QueueEntry call, Forwarder forwarder) {
         if (call instanceof Message message) {
             forwarder.forward(message);
         } else {
@@ -594,7 +594,7 @@ final class ActorCell extends Recipient {
         }
     }
 
-    private void noteDropped(Node call) {
+    private void noteDropped(QueueEntry call) {
         CallObserver observer = space.settings.callObserver();
         if (observer != null) {
             ObservedCalls.dropped(observer, this, call);
@@ -607,7 +607,7 @@ final class ActorCell extends Recipient {
     }
 
     /** The call that would be delivered for this ticket. */
-    Node callOf(Node ticket) {
+    QueueEntry callOf(QueueEntry ticket) {
         return CarriedCall.callIn(mailbox == null ? ticket : mailbox.peek(ticket));
     }
 
@@ -615,7 +615,7 @@ final class ActorCell extends Recipient {
      * The number of calls ahead of this one in a mailbox that stores its calls, or among the held calls; -1 if it is
      * not among the first {@value #COUNTED}.
      */
-    private int placeInMailbox(Node call) {
+    private int placeInMailbox(QueueEntry call) {
         int place = mailbox == null ? -1 : mailbox.placeOf(call, COUNTED);
         var held = held();
         if (place < 0 && held != null) {
@@ -625,10 +625,10 @@ final class ActorCell extends Recipient {
         return place < 0 && share != null ? placeAmong(share.waiting, call) : place;
     }
 
-    private static int placeAmong(ArrayDeque<Node> held, Node call) {
+    private static int placeAmong(ArrayDeque<QueueEntry> held, QueueEntry call) {
         int place = 0;
-        for (Node each : held) {
-            if (Nodes.carries(each, call)) {
+        for (QueueEntry each : held) {
+            if (QueueEntries.carries(each, call)) {
                 return place;
             }
             if (++place == COUNTED) {
@@ -638,7 +638,7 @@ final class ActorCell extends Recipient {
         return -1;
     }
 
-    private void reject(Node call) {
+    private void reject(QueueEntry call) {
         String reason = "";
         Throwable error;
         try {
@@ -650,13 +650,13 @@ final class ActorCell extends Recipient {
         rejectCall(call, reason, error);
     }
 
-    private void rejectCall(Node call, String reason, Throwable error) {
+    private void rejectCall(QueueEntry call, String reason, Throwable error) {
         space.reports().rejectCall(call, this, reason, error);
         endBroadcasts(call, error);
     }
 
     /** Ends the callbacks of broadcasts among the arguments of a call that is not begun; throws nothing. */
-    private void endBroadcasts(Node call, Throwable error) {
+    private void endBroadcasts(QueueEntry call, Throwable error) {
         try {
             BroadcastCallback.abandon(call, error);
         } catch (Throwable broken) {
@@ -664,7 +664,7 @@ final class ActorCell extends Recipient {
         }
     }
 
-    private static Object nameOf(Node call) {
+    private static Object nameOf(QueueEntry call) {
         return call instanceof Request<?> request ? request.name() : call;
     }
 
@@ -801,8 +801,8 @@ final class ActorCell extends Recipient {
     private static final class Share {
         private final ActorCell cell;
         private final int quota;
-        private final ArrayDeque<Node> waiting = new ArrayDeque<>(); // for a later round
-        private final ArrayDeque<Node> due = new ArrayDeque<>(); // queued once more, in this round
+        private final ArrayDeque<QueueEntry> waiting = new ArrayDeque<>(); // for a later round
+        private final ArrayDeque<QueueEntry> due = new ArrayDeque<>(); // queued once more, in this round
         private int left;
 
         Share(ActorCell cell, int quota) {
@@ -812,7 +812,7 @@ final class ActorCell extends Recipient {
         }
 
         /** True if a call is to be delivered now; otherwise it waits. */
-        boolean admits(Node ticket) {
+        boolean admits(QueueEntry ticket) {
             if (due.peekFirst() == ticket) {
                 due.removeFirst();
             } else if (left == 0 || isUsed()) {
@@ -840,7 +840,7 @@ final class ActorCell extends Recipient {
 
         private void queueNext() {
             while (due.size() < left && !waiting.isEmpty()) {
-                Node ticket = waiting.removeFirst();
+                QueueEntry ticket = waiting.removeFirst();
                 if (!(ticket instanceof Entry)) { // a stop, see stopBehindCalls()
                     due.addLast(ticket);
                 }
@@ -857,7 +857,7 @@ final class ActorCell extends Recipient {
         private @Nullable Record last; // of the last failure
         private @Nullable Throwable endedBy; // the failure that led to the end of the last instance
         // calls held back by the actor, or while a restart waits, until all of them have been delivered
-        private @Nullable ArrayDeque<Node> held;
+        private @Nullable ArrayDeque<QueueEntry> held;
         private boolean byActor; // the actor holds its calls back
         private boolean stopHeld; // a stop is queued among the held calls
         private boolean releasing;

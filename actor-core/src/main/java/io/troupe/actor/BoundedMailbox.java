@@ -3,8 +3,8 @@ package io.troupe.actor;
 import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.QueueEntries;
 import java.util.Objects;
 import java.util.concurrent.Semaphore;
 import org.jspecify.annotations.Nullable;
@@ -33,7 +33,7 @@ final class BoundedMailbox {
     private final int capacity;
     private final Overflow overflow;
     private final Semaphore room;
-    private final @Nullable BoundedQueue<Node> calls; // guarded by itself
+    private final @Nullable BoundedQueue<QueueEntry> calls; // guarded by itself
 
     BoundedMailbox(int capacity, Overflow overflow) {
         this.capacity = capacity;
@@ -43,7 +43,7 @@ final class BoundedMailbox {
     }
 
     /** Makes room for a call; depending on the overflow rule it waits, or drops another call. */
-    Admission admit(Node call, ActorCell cell) {
+    Admission admit(QueueEntry call, ActorCell cell) {
         if (calls != null) {
             return admitDropping(call, cell, calls);
         }
@@ -63,8 +63,8 @@ final class BoundedMailbox {
         return Admission.QUEUED;
     }
 
-    private Admission admitDropping(Node call, ActorCell cell, BoundedQueue<Node> waiting) {
-        Node oldest;
+    private Admission admitDropping(QueueEntry call, ActorCell cell, BoundedQueue<QueueEntry> waiting) {
+        QueueEntry oldest;
         synchronized (waiting) {
             oldest = waiting.offer(call);
         }
@@ -76,7 +76,7 @@ final class BoundedMailbox {
     }
 
     /** Takes the call that is to be delivered for this ticket. */
-    Node next(Node ticket) {
+    QueueEntry next(QueueEntry ticket) {
         if (calls == null) {
             room.release();
             return ticket;
@@ -87,7 +87,7 @@ final class BoundedMailbox {
     }
 
     /** Removes a call that was admitted but could not be queued. */
-    void takeBack(Node call) {
+    void takeBack(QueueEntry call) {
         if (calls == null) {
             room.release();
             return;
@@ -98,7 +98,7 @@ final class BoundedMailbox {
     }
 
     /** The call that would be delivered for this ticket. */
-    Node peek(Node ticket) {
+    QueueEntry peek(QueueEntry ticket) {
         if (calls == null) {
             return ticket;
         }
@@ -108,12 +108,12 @@ final class BoundedMailbox {
     }
 
     /** The number of calls stored here ahead of this one, or -1 if it is not among the first {@code limit}. */
-    int placeOf(Node call, int limit) {
+    int placeOf(QueueEntry call, int limit) {
         if (calls == null) {
             return -1;
         }
         synchronized (calls) {
-            return calls.placeOf(each -> Nodes.carries(each, call), limit);
+            return calls.placeOf(each -> QueueEntries.carries(each, call), limit);
         }
     }
 

@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.Message;
-import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.QueueEntry;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
@@ -81,7 +81,7 @@ final class BroadcastCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     /** Ends each callback of a broadcast among the arguments of a call that no actor begins. */
-    static void abandon(Node call, Throwable error) {
+    static void abandon(QueueEntry call, Throwable error) {
         for (Object argument : Message.argumentsOf(call)) {
             if (argument instanceof Share<?> share) {
                 share.whole.over = true;

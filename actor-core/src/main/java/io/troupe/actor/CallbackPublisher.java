@@ -2,7 +2,7 @@ package io.troupe.actor;
 
 import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.util.Objects;
 import java.util.concurrent.Flow;
 import java.util.function.Consumer;
@@ -14,7 +14,7 @@ record CallbackPublisher<T>(SpaceHome space, int capacity, Consumer<? super Call
     @Override
     public void subscribe(Flow.Subscriber<? super T> subscriber) {
         Objects.requireNonNull(subscriber, "subscriber");
-        Owner owner = Home.current() == space && space.owner() instanceof Incarnation life ? life : space.itself();
+        TurnOwner owner = Home.current() == space && space.owner() instanceof Incarnation life ? life : space.itself();
         new Subscription<>(this, subscriber, owner).begin();
     }
 
@@ -32,7 +32,7 @@ record CallbackPublisher<T>(SpaceHome space, int capacity, Consumer<? super Call
         private static final int BATCH = 64; // so that a long backlog leaves time for others
 
         private final CallbackPublisher<T> publisher;
-        private final Owner owner;
+        private final TurnOwner owner;
         private final Callback.Stream<T> stream;
         private final BoundedQueue<T> waiting; // received, and not yet requested
         private Flow.@Nullable Subscriber<? super T> subscriber; // null after the end
@@ -41,7 +41,7 @@ record CallbackPublisher<T>(SpaceHome space, int capacity, Consumer<? super Call
         private boolean ended;
         private @Nullable Throwable failure;
 
-        Subscription(CallbackPublisher<T> publisher, Flow.Subscriber<? super T> subscriber, Owner owner) {
+        Subscription(CallbackPublisher<T> publisher, Flow.Subscriber<? super T> subscriber, TurnOwner owner) {
             this.publisher = publisher;
             this.subscriber = subscriber;
             this.owner = owner;

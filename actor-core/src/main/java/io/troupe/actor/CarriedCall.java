@@ -1,6 +1,6 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.QueueEntry;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -8,13 +8,13 @@ import org.jspecify.annotations.Nullable;
  * A call with the context of its caller, in spaces that carry contexts, and with the handlers that have sent it: the
  * entry of the queues.
  */
-final class CarriedCall extends Node {
+final class CarriedCall extends QueueEntry {
     private final ActorCell cell;
-    private final Node call;
+    private final QueueEntry call;
     private final @Nullable Supplier<Runnable> context;
     private final int handlers; // see HandlerTurn
 
-    CarriedCall(ActorCell cell, Node call, @Nullable Supplier<Runnable> context, int handlers) {
+    CarriedCall(ActorCell cell, QueueEntry call, @Nullable Supplier<Runnable> context, int handlers) {
         this.cell = cell;
         this.call = call;
         this.context = context;
@@ -22,7 +22,7 @@ final class CarriedCall extends Node {
     }
 
     /** The call behind an entry. */
-    static Node callIn(Node entry) {
+    static QueueEntry callIn(QueueEntry entry) {
         return entry instanceof CarriedCall carried ? carried.call : entry;
     }
 
@@ -53,7 +53,7 @@ final class CarriedCall extends Node {
     }
 
     @Override
-    protected @Nullable Node serve() {
+    protected @Nullable QueueEntry serve() {
         cell.deliverNext(this);
         return null;
     }
@@ -64,7 +64,7 @@ final class CarriedCall extends Node {
     }
 
     @Override
-    protected boolean carries(Node wanted) {
+    protected boolean carries(QueueEntry wanted) {
         return this == wanted || call == wanted;
     }
 }

@@ -4,8 +4,8 @@ import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.QueueEntries;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.time.Duration;
@@ -339,7 +339,7 @@ final class Closing {
 
         private boolean rejectUntilEmpty(long most, boolean cancelsListeners) {
             for (long left = most; left > 0; left--) {
-                Node node = dispatcher.pollLeftover();
+                QueueEntry node = dispatcher.pollLeftover();
                 if (node == null) {
                     return true;
                 }
@@ -352,7 +352,7 @@ final class Closing {
             return false;
         }
 
-        private void reject(Node node, boolean cancelsListeners) {
+        private void reject(QueueEntry node, boolean cancelsListeners) {
             // no switch over types: linking it needs memory
             if (node instanceof Message ticket) {
                 reject((ActorCell) ticket.receiver(), ticket);
@@ -363,13 +363,13 @@ final class Closing {
             } else if (node instanceof Entry entry) {
                 reject(entry);
             } else if (cancelsListeners && node instanceof Promise<?>) {
-                Nodes.threw(node, new CancellationException("space " + space + " is closed"));
+                QueueEntries.threw(node, new CancellationException("space " + space + " is closed"));
             } else {
                 dispatcher.serveDirect(node);
             }
         }
 
-        private void reject(ActorCell cell, Node ticket) {
+        private void reject(ActorCell cell, QueueEntry ticket) {
             try {
                 count(cell.callOf(ticket));
             } catch (Throwable noMemory) { // for an example
@@ -379,7 +379,7 @@ final class Closing {
             cell.deliverNext(ticket); // which rejects it: the space has ended
         }
 
-        private void count(Node call) {
+        private void count(QueueEntry call) {
             if (call instanceof Message message) {
                 messages++;
                 note(message, message.receiver());
@@ -391,7 +391,7 @@ final class Closing {
 
         private void reject(Entry entry) {
             Runnable ifClosed = entry.ifClosed();
-            if (Nodes.isMessage(entry)) {
+            if (QueueEntries.isMessage(entry)) {
                 tasks++;
             }
             if (ifClosed != null) {
@@ -401,7 +401,7 @@ final class Closing {
             }
         }
 
-        private void note(Node call, Recipient receiver) {
+        private void note(QueueEntry call, Recipient receiver) {
             if (examples.size() < Leftovers.EXAMPLES) {
                 examples.add(call instanceof Request<?> request ? request.name() : call + " to " + receiver);
             }

@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.QueueEntries;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
@@ -143,7 +143,7 @@ final class Combinators {
             throw suppressing(thrown, error);
         }
         return last.handle((value, again) -> {
-            throw again == null ? Nodes.rethrow(error) : suppressing(again, error);
+            throw again == null ? QueueEntries.rethrow(error) : suppressing(again, error);
         });
     }
 
@@ -151,7 +151,7 @@ final class Combinators {
         if (last != first) {
             last.addSuppressed(first);
         }
-        return Nodes.rethrow(last);
+        return QueueEntries.rethrow(last);
     }
 
     @SuppressWarnings("unchecked") // an outcome is read-only

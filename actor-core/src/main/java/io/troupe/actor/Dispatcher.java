@@ -1,9 +1,9 @@
 package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.NodeQueue;
-import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.EntryQueue;
+import io.troupe.actor.internal.loop.QueueEntries;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -45,14 +45,14 @@ final class Dispatcher {
     private static final long LONG_STRIDE_NANOS = 1_000_000;
     private static final int SPINS = 1_000;
 
-    final NodeQueue inbox;
-    final NodeQueue callbackInbox;
+    final EntryQueue inbox;
+    final EntryQueue callbackInbox;
     final TimerWheel timers;
     private final SpaceHome space;
     private final Clock clock;
     private final Consumer<Runnable> runTask = this::runTask; // created once: a pass must not allocate
-    private final NodeRing callbacks;
-    private final NodeRing messages;
+    private final EntryRing callbacks;
+    private final EntryRing messages;
     private final Precedence precedence = new Precedence();
     private final ArrayDeque<Runnable> afterTurn = new ArrayDeque<>();
     private final List<Runnable> idleActions = new ArrayList<>();
@@ -69,10 +69,10 @@ final class Dispatcher {
 
     Dispatcher(
             SpaceHome space,
-            NodeQueue inbox,
-            NodeQueue callbackInbox,
-            NodeRing callbacks,
-            NodeRing messages,
+            EntryQueue inbox,
+            EntryQueue callbackInbox,
+            EntryRing callbacks,
+            EntryRing messages,
             TimerWheel timers,
             Clock clock) {
         this.space = space;
@@ -130,7 +130,7 @@ final class Dispatcher {
         callbackInbox.forgetLast();
     }
 
-    /** Replaces objects that are written at every turn, before they become old: see {@link NodeRing#renew}. */
+    /** Replaces objects that are written at every turn, before they become old: see {@link EntryRing#renew}. */
     private void renew() {
         space.renewTurn();
         callbacks.renew();
@@ -178,8 +178,8 @@ final class Dispatcher {
 
     /** Removes an entry that will not be processed any more; entries of the rings are counted as processed. */
     @Nullable
-    Node pollLeftover() {
-        Node node = callbacks.poll();
+    QueueEntry pollLeftover() {
+        QueueEntry node = callbacks.poll();
         if (node == null) {
             node = messages.poll();
         }
@@ -202,10 +202,10 @@ final class Dispatcher {
     }
 
     /** The number of messages ahead of this one; -1 if it is not among the first {@code limit}. */
-    int messagesBefore(Node message, int limit) {
+    int messagesBefore(QueueEntry message, int limit) {
         int inside = Math.min(limit, messages.size());
         for (int index = 0; index < inside; index++) {
-            if (Nodes.carries(messages.get(index), message)) {
+            if (QueueEntries.carries(messages.get(index), message)) {
                 return index;
             }
         }
@@ -220,19 +220,19 @@ final class Dispatcher {
     }
 
     /** Runs a message that is in no ring, and the listener that it returns. */
-    void serveDirect(Node message) {
+    void serveDirect(QueueEntry message) {
         space.beginFor(message);
         serve(message);
     }
 
     /** Runs the message that its ring keeps, and the listener that it returns. */
-    private void serveKept(Node message) {
+    private void serveKept(QueueEntry message) {
         space.beginForKept();
         serve(message);
     }
 
-    private void serve(Node node) {
-        Node next = serveOne(node);
+    private void serve(QueueEntry node) {
+        QueueEntry next = serveOne(node);
         if (next != null) {
             serveNext(next);
         }
@@ -245,10 +245,10 @@ final class Dispatcher {
      *
      * @return the listener to run next, or null
      */
-    private @Nullable Node serveOne(Node node) {
-        Node next = null;
+    private @Nullable QueueEntry serveOne(QueueEntry node) {
+        QueueEntry next = null;
         try {
-            next = Nodes.serve(node);
+            next = QueueEntries.serve(node);
         } catch (Throwable thrown) {
             fail(node, thrown);
         }
@@ -256,9 +256,9 @@ final class Dispatcher {
     }
 
     /** Passes an exception that an entry has thrown to the entry's handler. */
-    void fail(Node node, Throwable thrown) {
+    void fail(QueueEntry node, Throwable thrown) {
         try {
-            Nodes.threw(node, thrown);
+            QueueEntries.threw(node, thrown);
         } catch (Throwable again) {
             space.reports().error(Trouble.AN_ENTRY, space, again);
         }
@@ -268,7 +268,7 @@ final class Dispatcher {
      * Runs the single listener of the request that was just answered; it would have been the next callback in its ring.
      * A listener that this one returns is not run this way.
      */
-    private void serveNext(Node callback) {
+    private void serveNext(QueueEntry callback) {
         direct.step();
         serveOne(callback);
         if (!callbacks.isEmpty()) {
@@ -309,7 +309,7 @@ final class Dispatcher {
      * @param next the listener that the turn has returned; it is queued if it must not run now
      * @return the listener to run next, or null
      */
-    private @Nullable Node endTurn(@Nullable Node next) {
+    private @Nullable QueueEntry endTurn(@Nullable QueueEntry next) {
         boolean isQueued = true;
         try {
             turnLeavesWork = false;
@@ -336,7 +336,7 @@ final class Dispatcher {
      */
     private boolean drainInbox(boolean withCallbacks) {
         boolean worked = takeCallbacks();
-        Node last = inbox.beginBatch();
+        QueueEntry last = inbox.beginBatch();
         int count = 0;
         try {
             for (; count < quota && inbox.isReadyAfter(last); count++) {
@@ -393,11 +393,11 @@ final class Dispatcher {
 
     /** Moves the callbacks that have arrived so far into their ring; false if there were none. Also within a turn. */
     boolean takeCallbacks() {
-        Node last = callbackInbox.newest();
+        QueueEntry last = callbackInbox.newest();
         if (last == null) {
             return false;
         }
-        for (Node node = null; node != last; ) {
+        for (QueueEntry node = null; node != last; ) {
             if (!callbacks.hasRoom()) {
                 return true; // those in the ring run first, which makes room
             }
@@ -412,9 +412,9 @@ final class Dispatcher {
      * Callbacks keep their order and senders take no lock, so this thread has to wait: while a debugger, a signal or a
      * low priority holds such a sender, it occupies its processor and runs nothing.
      */
-    private Node nextArrival() {
+    private QueueEntry nextArrival() {
         for (int look = 0; ; look++) {
-            Node node = callbackInbox.poll();
+            QueueEntry node = callbackInbox.poll();
             if (node != null) {
                 return node;
             }
@@ -445,7 +445,7 @@ final class Dispatcher {
             }
             worked = true;
             boolean more = drainCallbacks();
-            Node message = more ? messageAfterQuota() : messages.pollAndKeep();
+            QueueEntry message = more ? messageAfterQuota() : messages.pollAndKeep();
             if (message != null) {
                 serveKept(message);
                 ran(1);
@@ -469,13 +469,13 @@ final class Dispatcher {
             return 0;
         }
         callbackQuota = quota; // no callback precedes these messages
-        NodeRing waiting = messages;
-        NodeQueue arrivals = callbackInbox;
-        Node lastArrival = arrivals.beginBatch(); // nothing is taken from there meanwhile
+        EntryRing waiting = messages;
+        EntryQueue arrivals = callbackInbox;
+        QueueEntry lastArrival = arrivals.beginBatch(); // nothing is taken from there meanwhile
         long before = waiting.taken();
         waiting.allow(most);
         while (!arrivals.isReadyAfter(lastArrival)) {
-            Node message = waiting.pollAllowed();
+            QueueEntry message = waiting.pollAllowed();
             if (message == null) {
                 break;
             }
@@ -496,7 +496,7 @@ final class Dispatcher {
      * Takes the message that runs although callbacks are queued; null if there is none, or if one of the callbacks came
      * before it.
      */
-    private @Nullable Node messageAfterQuota() {
+    private @Nullable QueueEntry messageAfterQuota() {
         callbackQuota = quota;
         if (messages.isEmpty()) {
             drainInbox(false); // for a message that is still there
@@ -515,7 +515,7 @@ final class Dispatcher {
     /** Runs callbacks up to the quota; true if there may be more. */
     private boolean drainCallbacks() {
         for (int count = 0; count < callbackQuota; count++) {
-            Node callback = callbacks.poll();
+            QueueEntry callback = callbacks.poll();
             if (callback == null) {
                 callbackQuota = quota;
                 return false;

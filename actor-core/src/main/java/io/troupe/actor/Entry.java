@@ -1,10 +1,10 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.QueueEntry;
 import org.jspecify.annotations.Nullable;
 
 /** A task on a space's thread that is not a call of an actor. */
-final class Entry extends Node {
+final class Entry extends QueueEntry {
     private final Runnable task;
     private final @Nullable Runnable ifClosed;
     private final boolean message;
@@ -39,7 +39,7 @@ final class Entry extends Node {
     }
 
     @Override
-    protected @Nullable Node serve() {
+    protected @Nullable QueueEntry serve() {
         task.run();
         return null;
     }

@@ -1,8 +1,8 @@
 package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * One incarnation of an actor, from its start to its stop or restart: the owner of its listeners and timers. On the
  * space's thread, except for {@link #isOver}.
  */
-final class Incarnation extends Owner {
+final class Incarnation extends TurnOwner {
     private static final int FEW = 8;
 
     private final ActorCell cell;
@@ -48,7 +48,7 @@ final class Incarnation extends Owner {
             space.reports().error(Trouble.STOPPED, cell, noMemory);
         }
         // one by one: a list would need memory, which may be what the actor has used up
-        for (Node open = takeOpenRequest(); open != null; open = takeOpenRequest()) {
+        for (QueueEntry open = takeOpenRequest(); open != null; open = takeOpenRequest()) {
             rejectOpen((Request<?>) open, restarted, cause);
         }
         try {

@@ -1,10 +1,10 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.DetachedNodes;
+import io.troupe.actor.internal.loop.DetachedEntries;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Nodes;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.QueueEntries;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,13 +20,13 @@ import org.jspecify.annotations.Nullable;
  */
 final class Listeners {
     /** The listeners that wait for their turn on a thread that keeps none; present while it runs one. */
-    private static final ThreadLocal<@Nullable DetachedNodes> DETACHED = new ThreadLocal<>();
+    private static final ThreadLocal<@Nullable DetachedEntries> DETACHED = new ThreadLocal<>();
 
     private Listeners() {}
 
     /** Runs a listener without a home, after those that the calling thread is already running. */
-    static void runDetached(Node listener) {
-        DetachedNodes nodes = DetachedNodes.kept();
+    static void runDetached(QueueEntry listener) {
+        DetachedEntries nodes = DetachedEntries.kept();
         if (nodes == null) {
             nodes = DETACHED.get();
         }
@@ -34,7 +34,7 @@ final class Listeners {
             nodes.run(listener);
             return;
         }
-        nodes = new DetachedNodes();
+        nodes = new DetachedEntries();
         DETACHED.set(nodes);
         try {
             nodes.run(listener);
@@ -44,7 +44,7 @@ final class Listeners {
     }
 
     /** An internal listener that only passes an outcome on, so it may run on any thread that settles the promise. */
-    static final class Inline extends Node {
+    static final class Inline extends QueueEntry {
         private final Runnable action;
         private final BooleanSupplier isOver;
 
@@ -68,7 +68,7 @@ final class Listeners {
         }
 
         @Override
-        protected @Nullable Node serve() {
+        protected @Nullable QueueEntry serve() {
             action.run();
             return null;
         }
@@ -80,7 +80,7 @@ final class Listeners {
     }
 
     /** A listener that settles one promise with the outcome of another; it is never run. */
-    static class Follower extends Node {
+    static class Follower extends QueueEntry {
         final Settleable<?> promise;
 
         Follower(Settleable<?> promise) {
@@ -97,7 +97,7 @@ final class Listeners {
     }
 
     /** The listener of a thread outside every space that waits for a promise. */
-    static final class Waiter extends Node {
+    static final class Waiter extends QueueEntry {
         private final CountDownLatch settled = new CountDownLatch(1);
         private volatile boolean gone;
 
@@ -131,7 +131,7 @@ final class Listeners {
         }
 
         @Override
-        protected @Nullable Node serve() {
+        protected @Nullable QueueEntry serve() {
             settled.countDown();
             return null;
         }
@@ -153,10 +153,10 @@ final class Listeners {
      *
      * <p><b>Threads.</b> Guarded by its own monitor. <b>Cost.</b> Amortized constant time per listener.
      */
-    static final class Many extends Node {
+    static final class Many extends QueueEntry {
         private static final int FEW = 8;
 
-        private final List<Node> nodes = new ArrayList<>(2 * FEW); // oldest first
+        private final List<QueueEntry> nodes = new ArrayList<>(2 * FEW); // oldest first
         private int sweepAt = 2 * FEW;
         private boolean closed;
 
@@ -164,21 +164,21 @@ final class Listeners {
          * Takes over a linked list for which {@link #isMany} holds, and adds one listener. Does not change the links,
          * because another thread may be settling the list.
          */
-        Many(@Nullable Node newest, Node more) {
-            Node node = newest;
+        Many(@Nullable QueueEntry newest, QueueEntry more) {
+            QueueEntry node = newest;
             for (int count = 0; count < FEW && node != null; count++) {
                 nodes.addFirst(node);
-                node = Nodes.next(node);
+                node = QueueEntries.next(node);
             }
             nodes.add(more);
         }
 
         /** True if a linked list is long enough to be replaced by this class. */
-        static boolean isMany(@Nullable Node newest) {
-            Node node = newest;
+        static boolean isMany(@Nullable QueueEntry newest) {
+            QueueEntry node = newest;
             int count = 0;
             while (node != null && count < FEW) {
-                node = Nodes.next(node);
+                node = QueueEntries.next(node);
                 count++;
             }
             return count == FEW;
@@ -188,21 +188,21 @@ final class Listeners {
          * True if no listener of a short linked list (not {@link #isMany}) needs the outcome. The result is valid only
          * if the list was not settled meanwhile.
          */
-        static boolean areGivenUp(Node newest) {
-            Node node = newest;
+        static boolean areGivenUp(QueueEntry newest) {
+            QueueEntry node = newest;
             // bounded: the links of a list that is being settled may change
             for (int count = 0; count < FEW && node != null; count++) {
                 if (!isGivenUp(node)) {
                     return false;
                 }
-                node = Nodes.next(node);
+                node = QueueEntries.next(node);
             }
             return true;
         }
 
         /** A thread whose wait timed out may wait again, so it does not count as gone. */
-        private static boolean isGivenUp(Node listener) {
-            boolean isGone = Nodes.isIdle(listener)
+        private static boolean isGivenUp(QueueEntry listener) {
+            boolean isGone = QueueEntries.isIdle(listener)
                     || listener instanceof Follower follower
                             && follower.promise.mayBeGivenUp()
                             && follower.promise.isGivenUp();
@@ -215,15 +215,15 @@ final class Listeners {
         }
 
         /** Adds a listener; false if the promise has been settled. */
-        synchronized boolean add(Node listener) {
+        synchronized boolean add(QueueEntry listener) {
             if (closed) {
                 return false;
             }
-            while (!nodes.isEmpty() && Nodes.isIdle(nodes.getLast())) {
+            while (!nodes.isEmpty() && QueueEntries.isIdle(nodes.getLast())) {
                 nodes.removeLast();
             }
             if (nodes.size() >= sweepAt) {
-                nodes.removeIf(Nodes::isIdle);
+                nodes.removeIf(QueueEntries::isIdle);
                 sweepAt = Math.max(2 * FEW, 2 * nodes.size());
             }
             nodes.add(listener);
@@ -231,11 +231,11 @@ final class Listeners {
         }
 
         /** Links the listeners; returns the newest. */
-        synchronized Node link() {
-            Node newest = nodes.getFirst();
-            Nodes.link(newest, null);
-            for (Node node : nodes.subList(1, nodes.size())) {
-                Nodes.link(node, newest);
+        synchronized QueueEntry link() {
+            QueueEntry newest = nodes.getFirst();
+            QueueEntries.link(newest, null);
+            for (QueueEntry node : nodes.subList(1, nodes.size())) {
+                QueueEntries.link(node, newest);
                 newest = node;
             }
             return newest;
@@ -257,7 +257,7 @@ final class Listeners {
      *
      * <p><b>Threads.</b> Guarded by its own monitor, because a promise may be settled on any thread.
      */
-    static final class OpenRequests implements Owner.OpenRequests {
+    static final class OpenRequests implements TurnOwner.OpenRequests {
         private static final int FEW = 8;
 
         private @Nullable OpenRequest oldest;
@@ -266,7 +266,7 @@ final class Listeners {
         private int sweepAt = FEW;
 
         /** Settles a request with the outcome of the other promise; the request is open until then. */
-        static void follow(Settleable<?> request, Promise<?> other, Owner owner) {
+        static void follow(Settleable<?> request, Promise<?> other, TurnOwner owner) {
             var open = (OpenRequests) owner.openRequests(OpenRequests::new);
             var link = new OpenRequest(request, open);
             open.add(link);
@@ -322,7 +322,7 @@ final class Listeners {
         }
 
         @Override
-        public synchronized @Nullable Node takeOldest() {
+        public synchronized @Nullable QueueEntry takeOldest() {
             OpenRequest first = oldest;
             if (first == null) {
                 return null;

@@ -3,8 +3,8 @@ package io.troupe.actor;
 import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.Collections;
@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 final class ObservedCalls {
     private ObservedCalls() {}
 
-    private record ObservedCall(ActorCell actor, Node node) implements CallObserver.Call {
+    private record ObservedCall(ActorCell actor, QueueEntry node) implements CallObserver.Call {
         @Override
         public boolean isPassedOn() {
             return actor.forwards();
@@ -46,7 +46,7 @@ final class ObservedCalls {
         }
     }
 
-    static void called(CallObserver observer, ActorCell actor, Node call) {
+    static void called(CallObserver observer, ActorCell actor, QueueEntry call) {
         guard(
                 actor.space(),
                 () -> observer.called(
@@ -57,16 +57,16 @@ final class ObservedCalls {
                         new ObservedCall(actor, call)));
     }
 
-    static void begun(CallObserver observer, ActorCell actor, Node call) {
+    static void begun(CallObserver observer, ActorCell actor, QueueEntry call) {
         guard(actor.space(), () -> observer.begun(party(actor), new ObservedCall(actor, call)));
     }
 
-    static void dropped(CallObserver observer, ActorCell actor, Node call) {
+    static void dropped(CallObserver observer, ActorCell actor, QueueEntry call) {
         guard(actor.space(), () -> observer.dropped(party(actor), new ObservedCall(actor, call)));
     }
 
     /** The current thread sends a result to a callback, which runs on behalf of this owner. */
-    static void returned(CallObserver observer, SpaceHome space, Owner reader) {
+    static void returned(CallObserver observer, SpaceHome space, TurnOwner reader) {
         guard(
                 space,
                 () -> observer.returned(
@@ -76,7 +76,7 @@ final class ObservedCalls {
                         party(reader)));
     }
 
-    static CallObserver.Turn turnBegun(CallObserver observer, SpaceHome space, Owner owner) {
+    static CallObserver.Turn turnBegun(CallObserver observer, SpaceHome space, TurnOwner owner) {
         int handlers = HandlerTurn.now();
         if ((handlers & HandlerTurn.OBSERVER) != 0) {
             return CallObserver.Turn.NONE;
@@ -164,7 +164,7 @@ final class ObservedCalls {
         }
     }
 
-    private static CallObserver.Party party(Owner owner) {
+    private static CallObserver.Party party(TurnOwner owner) {
         return owner instanceof Incarnation life
                 ? party(life.cell())
                 : new CallObserver.Party(owner.home().toString(), CallGraph.TASKS);

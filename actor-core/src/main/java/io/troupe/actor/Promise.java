@@ -2,7 +2,7 @@ package io.troupe.actor;
 
 import io.troupe.actor.SettledState.Rejection;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.QueueEntries;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
@@ -153,7 +153,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     private T valueOrThrow() {
         Object outcome = Objects.requireNonNull(outcomeNow());
         if (outcome instanceof Rejection rejection) {
-            throw Nodes.rethrow(rejection.error());
+            throw QueueEntries.rethrow(rejection.error());
         }
         return valueOf(outcome);
     }

@@ -6,7 +6,7 @@ import io.troupe.actor.internal.ActorProxy;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.SuspendingCalls;
-import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.QueueEntry;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
 import java.util.Arrays;
@@ -26,7 +26,7 @@ import org.objectweb.asm.Type;
  * final class Greeter$$greet$0 extends Request<String> {
  *     final String a0;
  *     Greeter$$greet$0(Recipient cell, String a0) { super(cell); this.a0 = a0; }
- *     protected Node serve() { Object target = target(); return target == null ? null : answer(invoke(target)); }
+ *     protected QueueEntry serve() { Object target = target(); return target == null ? null : answer(invoke(target)); }
  *     protected Promise<String> invoke(Object implementation) { return ((Greeter) implementation).greet(a0); }
  * }
  * final class Greeter$$Proxy implements Greeter, ActorProxy {
@@ -294,7 +294,7 @@ final class ProxyGenerator {
 
         /** Overrides the parent's method with the same code, so that the call site of {@code invoke} is monomorphic. */
         private void serve(ClassWriter writer, String parent) {
-            String node = Type.getDescriptor(Node.class);
+            String node = Type.getDescriptor(QueueEntry.class);
             MethodVisitor code =
                     writer.visitMethod(ACC_PROTECTED, "serve", "()" + node, null, new String[] {"java/lang/Throwable"});
             var nobody = new Label();

@@ -3,8 +3,8 @@ package io.troupe.actor;
 import io.troupe.actor.RecorderEvents.DeadLetterEvent;
 import io.troupe.actor.RecorderEvents.ErrorEvent;
 import io.troupe.actor.internal.Message;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Collections;
@@ -148,7 +148,7 @@ final class Reports {
             LOG.log(System.Logger.Level.ERROR, "in " + where, error);
             return;
         }
-        Owner owner = beginHandler(before | HandlerTurn.ERROR);
+        TurnOwner owner = beginHandler(before | HandlerTurn.ERROR);
         try {
             handler.handle(where, error);
         } finally {
@@ -161,17 +161,17 @@ final class Reports {
      *
      * @return the owner of the turn; null on other threads than the space's
      */
-    private @Nullable Owner beginHandler(int handlers) {
+    private @Nullable TurnOwner beginHandler(int handlers) {
         HandlerTurn.set(handlers);
         if (!space.isCurrent()) {
             return null;
         }
-        Owner before = space.owner();
+        TurnOwner before = space.owner();
         space.beginForItself();
         return before;
     }
 
-    private void endHandler(@Nullable Owner owner, int handlersBefore) {
+    private void endHandler(@Nullable TurnOwner owner, int handlersBefore) {
         HandlerTurn.set(handlersBefore);
         if (owner != null) {
             space.begin(owner);
@@ -211,7 +211,7 @@ final class Reports {
         if ((before & HandlerTurn.DEAD_LETTER) != 0) {
             return;
         }
-        Owner owner = beginHandler(before | HandlerTurn.DEAD_LETTER);
+        TurnOwner owner = beginHandler(before | HandlerTurn.DEAD_LETTER);
         try {
             settings.onDeadLetter().accept(letter);
         } finally {
@@ -223,7 +223,7 @@ final class Reports {
      * Rejects a call that no actor will handle: notifies its sender, and the callbacks among its arguments. Throws
      * nothing, except at the end of the caller's stack.
      */
-    void rejectCall(Node call, ActorCell cell, String reason, Throwable error) {
+    void rejectCall(QueueEntry call, ActorCell cell, String reason, Throwable error) {
         if (call instanceof Request<?> request) {
             reject(request, error);
         } else {
@@ -233,7 +233,7 @@ final class Reports {
         logArguments(call, reason);
     }
 
-    private void lose(Node call, ActorCell cell, String reason) {
+    private void lose(QueueEntry call, ActorCell cell, String reason) {
         DeadLetter letter;
         try {
             var arguments = Collections.unmodifiableList(Arrays.asList(Message.argumentsOf(call)));
@@ -268,7 +268,7 @@ final class Reports {
     }
 
     /** Ends each callback among the arguments of a call, whatever the others do. */
-    private void endCallbacks(Node call, Throwable error) {
+    private void endCallbacks(QueueEntry call, Throwable error) {
         try {
             for (Object argument : Message.argumentsOf(call)) {
                 if (argument instanceof ReturningCallback<?> callback) {
@@ -292,7 +292,7 @@ final class Reports {
      * Logs the arguments of a call that was not answered, at the level DEBUG only: they may be secret, and their texts
      * are the user's code. On the space's thread, last of all.
      */
-    void logArguments(Node call, String why) {
+    void logArguments(QueueEntry call, String why) {
         try {
             if (LOG.isLoggable(System.Logger.Level.DEBUG)) {
                 LOG.log(
@@ -306,7 +306,7 @@ final class Reports {
     }
 
     /** Like {@link #logArguments}, from the thread of a timer. */
-    void logArgumentsOfLate(Node call) {
+    void logArgumentsOfLate(QueueEntry call) {
         try {
             if (LOG.isLoggable(System.Logger.Level.DEBUG)) {
                 space.enqueueMessage(new Entry(() -> logArguments(call, "not answered in time"), () -> {}));

@@ -3,8 +3,8 @@ package io.troupe.actor;
 import io.troupe.actor.internal.Forwarder;
 import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 
@@ -39,14 +39,14 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
 
     /** Repeated in each generated class, to keep its call site of {@code invoke} monomorphic. */
     @Override
-    protected @Nullable Node serve() throws Throwable {
+    protected @Nullable QueueEntry serve() throws Throwable {
         Object target = target();
         return target == null ? null : answer(invoke(target));
     }
 
     /** Like {@link #serve}, for a target that has already been looked up; queues the listener. */
     public final void serveWith(Object target) throws Throwable {
-        Node callback = answer(invoke(target));
+        QueueEntry callback = answer(invoke(target));
         if (callback != null) {
             receiver.home().enqueue(callback);
         }
@@ -55,7 +55,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     /** Like {@link #serveWith}, for an actor that passes its calls on. */
     @SuppressWarnings("unchecked") // the forwarder returns the outcome of the same method
     public final void serveBy(Forwarder forwarder) {
-        Node callback = answer((Promise<? extends T>) forwarder.forward(this));
+        QueueEntry callback = answer((Promise<? extends T>) forwarder.forward(this));
         if (callback != null) {
             receiver.home().enqueue(callback);
         }
@@ -92,7 +92,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
-    protected final Owner turnOwner() {
+    protected final TurnOwner turnOwner() {
         return receiver().life();
     }
 
@@ -158,7 +158,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
      *
      * @return the listener that must be run next and is in no queue, or null
      */
-    protected final @Nullable Node answer(@Nullable Promise<? extends T> answer) {
+    protected final @Nullable QueueEntry answer(@Nullable Promise<? extends T> answer) {
         if (answer == null) {
             reject(receiver.answeredNull(method()));
             return null;

@@ -3,8 +3,8 @@ package io.troupe.actor;
 import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.actor.internal.CancellationFlag;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
@@ -36,7 +36,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     private final Callback<T> reader;
     private final SpaceHome home;
-    private final Owner owner; // an incarnation, or the home itself
+    private final TurnOwner owner; // an incarnation, or the home itself
     private final @Nullable CancellationFlag flag; // of a reader of this library
     private final boolean mayCancel; // the reader, by an isCancelled() of its class
     private final @Nullable NewestResults<T> newest; // only if the reader does not receive every result
@@ -46,7 +46,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     private volatile boolean asked; // the reader, on its space, whether it has cancelled
     private boolean isEndDelivered; // on the reader's space
 
-    private ReturningCallback(Callback<T> reader, SpaceHome home, Owner owner) {
+    private ReturningCallback(Callback<T> reader, SpaceHome home, TurnOwner owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
@@ -299,9 +299,9 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
             return results.poll();
         }
 
-        private final class Ticket extends Node {
+        private final class Ticket extends QueueEntry {
             @Override
-            protected @Nullable Node serve() {
+            protected @Nullable QueueEntry serve() {
                 var result = next();
                 return result == null ? null : result.serve();
             }
@@ -309,7 +309,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     /** Code of the reader, which runs on its space and on its behalf. */
-    private final class AtReader extends Node {
+    private final class AtReader extends QueueEntry {
         private final Runnable code;
 
         AtReader(Runnable code) {
@@ -317,7 +317,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
 
         @Override
-        protected @Nullable Node serve() {
+        protected @Nullable QueueEntry serve() {
             if (!owner.run("a listener", code)) {
                 readerGone = true;
             }
@@ -325,7 +325,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
     }
 
-    private final class Result extends Node implements Runnable {
+    private final class Result extends QueueEntry implements Runnable {
         private final Kind kind;
         private final @Nullable Object content; // the value or the error
 
@@ -339,7 +339,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
 
         @Override
-        protected @Nullable Node serve() {
+        protected @Nullable QueueEntry serve() {
             if (isEndDelivered) {
                 return null; // its sender lost a race against the end
             }

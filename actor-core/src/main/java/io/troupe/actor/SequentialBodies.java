@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -24,7 +24,7 @@ final class SequentialBodies {
         this.space = space;
     }
 
-    <T extends @Nullable Object> Promise<T> start(Callable<? extends T> body, Owner owner) {
+    <T extends @Nullable Object> Promise<T> start(Callable<? extends T> body, TurnOwner owner) {
         var end = new Deferred<T>(space, null);
         var sequence = new Body<T>(space, owner, body, end);
         sequence.limit = space.isCurrent() ? space.limit() : null;
@@ -118,7 +118,7 @@ final class SequentialBodies {
      */
     static final class Body<T extends @Nullable Object> {
         private final SpaceHome space;
-        private final Owner owner;
+        private final TurnOwner owner;
         private final Callable<? extends T> body;
         private final Deferred<T> end;
         private volatile boolean hasControl; // true while the body has control
@@ -129,14 +129,14 @@ final class SequentialBodies {
         private volatile boolean over;
         private @Nullable RuntimeException cancelled;
 
-        Body(SpaceHome space, Owner owner, Callable<? extends T> body, Deferred<T> end) {
+        Body(SpaceHome space, TurnOwner owner, Callable<? extends T> body, Deferred<T> end) {
             this.space = space;
             this.owner = owner;
             this.body = body;
             this.end = end;
         }
 
-        Owner owner() {
+        TurnOwner owner() {
             return owner;
         }
 

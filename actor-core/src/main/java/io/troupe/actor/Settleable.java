@@ -5,9 +5,9 @@ import io.troupe.actor.Listeners.Many;
 import io.troupe.actor.SettledState.PendingNotification;
 import io.troupe.actor.SettledState.Rejection;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Nodes;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.QueueEntries;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.Objects;
@@ -22,11 +22,11 @@ import org.jspecify.annotations.Nullable;
  * operations of other threads are posted to its home. A <i>shared</i> promise changes on any thread, by
  * compare-and-set. Both may be read on any thread.
  */
-abstract class Settleable<T extends @Nullable Object> extends Node {
+abstract class Settleable<T extends @Nullable Object> extends QueueEntry {
     /*
      * One field holds the whole state, so that one compare-and-set decides between "settle" and "register":
      *   null                   pending, without listeners
-     *   a Node                 pending, with listeners: the newest, linked to the older ones,
+     *   a QueueEntry                 pending, with listeners: the newest, linked to the older ones,
      *                          or Many if there are more than a few
      *   a PendingNotification  settled by a thread other than that of some listener, which may not have run yet
      *   anything else          settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be
@@ -91,7 +91,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     private static boolean isSettled(@Nullable Object state) {
-        return state != null && !(state instanceof Node);
+        return state != null && !(state instanceof QueueEntry);
     }
 
     /** The outcome, or null while pending. */
@@ -114,7 +114,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (value == null) {
             return NULL;
         }
-        return value instanceof Node || value instanceof SettledState ? new SettledState.Boxed(value) : value;
+        return value instanceof QueueEntry || value instanceof SettledState ? new SettledState.Boxed(value) : value;
     }
 
     @SuppressWarnings("unchecked") // only asOutcome stores values
@@ -133,7 +133,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     final boolean isHandled() {
         Object now = STATE.getAcquire(this);
         Object outcome = now instanceof PendingNotification notification ? notification.outcome() : now;
-        return outcome instanceof Node || outcome instanceof Rejection rejection && rejection.isHandled();
+        return outcome instanceof QueueEntry || outcome instanceof Rejection rejection && rejection.isHandled();
     }
 
     /**
@@ -143,7 +143,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     final boolean isGivenUp() {
         while (true) {
             Object now = STATE.getAcquire(this);
-            if (!(now instanceof Node newest)) {
+            if (!(now instanceof QueueEntry newest)) {
                 return now != null;
             }
             boolean givenUp = newest instanceof Many many ? many.areGivenUp() : Many.areGivenUp(newest);
@@ -211,16 +211,16 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      *
      * @return the listener that must be run next and is in no queue, or null
      */
-    final @Nullable Node followAtHome(Promise<? extends T> other) {
+    final @Nullable QueueEntry followAtHome(Promise<? extends T> other) {
         Object outcome = other.outcomeNow();
         if (outcome == null || other == this) {
             followPending(other);
             return null;
         }
         Object mine = copyOf(outcome);
-        Node listeners = claimOnThisThread(mine);
+        QueueEntry listeners = claimOnThisThread(mine);
         Home here = home();
-        if (here != null && listeners instanceof Stage<?, ?> only && Nodes.next(only) == null) {
+        if (here != null && listeners instanceof Stage<?, ?> only && QueueEntries.next(only) == null) {
             return only.returnOrEnqueue(here); // the usual case, by the shortest path
         }
         finish(listeners, mine);
@@ -233,14 +233,14 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /** Like {@link #follow}; until it is settled, this promise is one of the owner's open requests. */
-    final void follow(Promise<? extends T> other, Owner owner) {
+    final void follow(Promise<? extends T> other, TurnOwner owner) {
         Listeners.OpenRequests.follow(this, other, owner);
     }
 
     final boolean settleAtHome(Object outcome) {
-        Node listeners = claimOnThisThread(outcome);
+        QueueEntry listeners = claimOnThisThread(outcome);
         Home here = home();
-        if (here != null && listeners instanceof Stage<?, ?> only && Nodes.next(only) == null) {
+        if (here != null && listeners instanceof Stage<?, ?> only && QueueEntries.next(only) == null) {
             only.dispatch(here);
             return true;
         }
@@ -291,7 +291,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return finish(claim(outcome), outcome);
     }
 
-    private static boolean finish(@Nullable Node listeners, Object outcome) {
+    private static boolean finish(@Nullable QueueEntry listeners, Object outcome) {
         if (listeners == AlreadySettled.INSTANCE) {
             return false;
         }
@@ -305,7 +305,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * Settles this promise and returns its listeners, newest first; {@link AlreadySettled#INSTANCE} if it was already
      * settled.
      */
-    private @Nullable Node claim(Object outcome) {
+    private @Nullable QueueEntry claim(Object outcome) {
         if (!isLocal()) {
             return claimShared(outcome);
         }
@@ -314,23 +314,23 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /** Like {@link #claim}; on the home's thread, or if there is no home. */
-    private @Nullable Node claimOnThisThread(Object outcome) {
+    private @Nullable QueueEntry claimOnThisThread(Object outcome) {
         if (!isLocal()) {
             return claimShared(outcome);
         }
-        if (state instanceof Stage<?, ?> only && Nodes.next(only) == null && !(outcome instanceof Rejection)) {
+        if (state instanceof Stage<?, ?> only && QueueEntries.next(only) == null && !(outcome instanceof Rejection)) {
             STATE.setRelease(this, outcome);
             return only;
         }
         return claimAtHome(outcome);
     }
 
-    private @Nullable Node claimAtHome(Object outcome) {
+    private @Nullable QueueEntry claimAtHome(Object outcome) {
         Object now = state;
         if (isSettled(now)) {
             return AlreadySettled.INSTANCE;
         }
-        var listeners = (Node) now;
+        var listeners = (QueueEntry) now;
         if (listeners instanceof Many many) {
             listeners = many.link();
         }
@@ -341,7 +341,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return listeners;
     }
 
-    private @Nullable Node claimRemotely(Object outcome, Home home) {
+    private @Nullable QueueEntry claimRemotely(Object outcome, Home home) {
         if (isDone()) {
             return AlreadySettled.INSTANCE;
         }
@@ -349,14 +349,14 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return null;
     }
 
-    private @Nullable Node claimShared(Object outcome) {
+    private @Nullable QueueEntry claimShared(Object outcome) {
         while (true) {
             Object now = STATE.getAcquire(this);
             if (isSettled(now)) {
                 return AlreadySettled.INSTANCE;
             }
             if (now instanceof Many many) {
-                Node listeners;
+                QueueEntry listeners;
                 PendingNotification notification;
                 synchronized (many) {
                     if (many.isClosed()) {
@@ -369,7 +369,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
                 }
                 return claimed(outcome, listeners, notification); // outside the lock: it may call user handlers
             }
-            var listeners = (Node) now;
+            var listeners = (QueueEntry) now;
             PendingNotification notification = notificationFor(outcome, listeners);
             if (STATE.compareAndSet(this, now, notification == null ? outcome : notification)) {
                 return claimed(outcome, listeners, notification);
@@ -378,7 +378,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /** The notification that keeps late listeners behind the earlier ones; null if there is no memory for it. */
-    private static @Nullable PendingNotification notificationFor(Object outcome, @Nullable Node listeners) {
+    private static @Nullable PendingNotification notificationFor(Object outcome, @Nullable QueueEntry listeners) {
         if (listeners == null || !PendingNotification.isNeeded(listeners)) {
             return null;
         }
@@ -389,15 +389,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    private @Nullable Node claimed(
-            Object outcome, @Nullable Node listeners, @Nullable PendingNotification notification) {
+    private @Nullable QueueEntry claimed(
+            Object outcome, @Nullable QueueEntry listeners, @Nullable PendingNotification notification) {
         if (outcome instanceof Rejection rejection) {
             noteRejection(rejection, listeners);
         }
         return notification == null || listeners == null ? listeners : notification.end(listeners);
     }
 
-    private void noteRejection(Rejection rejection, @Nullable Node listeners) {
+    private void noteRejection(Rejection rejection, @Nullable QueueEntry listeners) {
         Home place = home();
         if (isHandledBy(listeners)) {
             rejection.markHandled();
@@ -410,9 +410,9 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    private static boolean isHandledBy(@Nullable Node listeners) {
-        for (Node node = listeners; node != null; node = Nodes.next(node)) {
-            if (!Nodes.hasTimedOut(node)) {
+    private static boolean isHandledBy(@Nullable QueueEntry listeners) {
+        for (QueueEntry node = listeners; node != null; node = QueueEntries.next(node)) {
+            if (!QueueEntries.hasTimedOut(node)) {
                 return true;
             }
         }
@@ -423,20 +423,20 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * Notifies listeners, oldest first. Promises that only follow are settled in this loop, not recursively, so a chain
      * of them may have any length.
      */
-    private static void notifyListeners(Node newest, Object outcome) {
-        if (Nodes.next(newest) == null && newest instanceof Stage<?, ?> only) {
+    private static void notifyListeners(QueueEntry newest, Object outcome) {
+        if (QueueEntries.next(newest) == null && newest instanceof Stage<?, ?> only) {
             only.dispatch();
             return;
         }
-        Node waiting = reverse(newest, null);
+        QueueEntry waiting = reverse(newest, null);
         Throwable first = null;
         while (waiting != null) {
-            Node listener = waiting;
-            waiting = Nodes.next(listener);
-            Nodes.link(listener, null);
+            QueueEntry listener = waiting;
+            waiting = QueueEntries.next(listener);
+            QueueEntries.link(listener, null);
             if (listener instanceof Follower follower) {
                 follower.beforeSettling();
-                Node more = follower.isIdle() ? AlreadySettled.INSTANCE : follower.promise.claim(copyOf(outcome));
+                QueueEntry more = follower.isIdle() ? AlreadySettled.INSTANCE : follower.promise.claim(copyOf(outcome));
                 waiting = more == AlreadySettled.INSTANCE ? waiting : reverse(more, waiting);
             } else if (listener instanceof PendingNotification.End end) {
                 waiting = reverse(end.closeOrTakeLate(), waiting);
@@ -449,16 +449,16 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             }
         }
         if (first != null) {
-            throw Nodes.rethrow(first);
+            throw QueueEntries.rethrow(first);
         }
     }
 
     /** Puts a list (newest first) in front of another list (oldest first). */
-    private static @Nullable Node reverse(@Nullable Node newest, @Nullable Node rest) {
-        Node oldest = rest;
-        for (Node node = newest; node != null; ) {
-            Node before = Nodes.next(node);
-            Nodes.link(node, oldest);
+    private static @Nullable QueueEntry reverse(@Nullable QueueEntry newest, @Nullable QueueEntry rest) {
+        QueueEntry oldest = rest;
+        for (QueueEntry node = newest; node != null; ) {
+            QueueEntry before = QueueEntries.next(node);
+            QueueEntries.link(node, oldest);
             oldest = node;
             node = before;
         }
@@ -472,7 +472,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      *
      * @param atHome true if the calling thread is known to be that of this promise's home
      */
-    final void register(Node listener, boolean atHome) {
+    final void register(QueueEntry listener, boolean atHome) {
         if (atHome && isLocal()) {
             registerAtHome(listener);
         } else {
@@ -481,10 +481,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Registers a node that is notified when this promise is settled, immediately if it is already settled. Stages go
+     * Registers an entry that is notified when this promise is settled, immediately if it is already settled. Stages go
      * to their home's queue, inline listeners run on the current thread.
      */
-    final void register(Node listener) {
+    final void register(QueueEntry listener) {
         if (!isLocal()) {
             registerShared(listener);
             return;
@@ -497,21 +497,21 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    private void registerAtHome(Node listener) {
+    private void registerAtHome(QueueEntry listener) {
         Object now = state;
         if (now == null) {
-            Nodes.link(listener, null);
+            QueueEntries.link(listener, null);
             STATE.setRelease(this, listener);
         } else if (isSettled(now)) {
             notifyLate(listener, now);
         } else if (now instanceof Many many) {
             many.add(listener);
         } else {
-            STATE.setRelease(this, with((Node) now, listener));
+            STATE.setRelease(this, with((QueueEntry) now, listener));
         }
     }
 
-    private void registerShared(Node listener) {
+    private void registerShared(QueueEntry listener) {
         while (true) {
             Object now = STATE.getAcquire(this);
             if (now instanceof PendingNotification notification) {
@@ -529,7 +529,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
                 if (many.add(listener)) {
                     return;
                 } // else it is settled now
-            } else if (STATE.compareAndSet(this, now, with((Node) now, listener))) {
+            } else if (STATE.compareAndSet(this, now, with((QueueEntry) now, listener))) {
                 return;
             }
         }
@@ -539,44 +539,44 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * Adds a listener to a list. Listeners at the head that are no longer needed are removed, so a long-lived promise
      * does not accumulate them.
      */
-    private static Node with(@Nullable Node newest, Node listener) {
-        Node first = firstWithUse(newest);
+    private static QueueEntry with(@Nullable QueueEntry newest, QueueEntry listener) {
+        QueueEntry first = firstWithUse(newest);
         if (Many.isMany(first)) {
             return new Many(first, listener);
         }
-        Nodes.link(listener, first);
+        QueueEntries.link(listener, first);
         return listener;
     }
 
-    private static @Nullable Node firstWithUse(@Nullable Node newest) {
-        Node node = newest;
-        while (node != null && Nodes.isIdle(node)) {
-            node = Nodes.next(node);
+    private static @Nullable QueueEntry firstWithUse(@Nullable QueueEntry newest) {
+        QueueEntry node = newest;
+        while (node != null && QueueEntries.isIdle(node)) {
+            node = QueueEntries.next(node);
         }
         return node;
     }
 
-    private static void notifyLate(Node listener, Object outcome) {
+    private static void notifyLate(QueueEntry listener, Object outcome) {
         if (outcome instanceof Rejection rejection) {
             rejection.markHandled();
         }
-        Nodes.link(listener, null);
+        QueueEntries.link(listener, null);
         notifyListeners(listener, outcome);
     }
 
-    private static void notifyAfterwards(Node listener, Object outcome, boolean behindOthers) {
+    private static void notifyAfterwards(QueueEntry listener, Object outcome, boolean behindOthers) {
         if (behindOthers && listener instanceof Stage<?, ?> stage) {
             if (outcome instanceof Rejection rejection) {
                 rejection.markHandled();
             }
-            Nodes.link(stage, null);
+            QueueEntries.link(stage, null);
             stage.dispatchAsRemote();
         } else {
             notifyLate(listener, outcome);
         }
     }
 
-    private static void dispatch(Node listener) {
+    private static void dispatch(QueueEntry listener) {
         if (listener instanceof Stage<?, ?> stage) {
             stage.dispatch();
         } else {
@@ -585,7 +585,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /** An operation on a local promise, posted by another thread to the promise's home. */
-    private static final class PostedAction extends Node {
+    private static final class PostedAction extends QueueEntry {
         private final Home home;
         private final Runnable action;
 
@@ -595,7 +595,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
 
         @Override
-        protected @Nullable Node serve() {
+        protected @Nullable QueueEntry serve() {
             home.beginForItself();
             action.run();
             return null;
@@ -603,8 +603,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /** Sentinel: the promise was already settled. */
-    static final class AlreadySettled extends Node {
-        static final Node INSTANCE = new AlreadySettled();
+    static final class AlreadySettled extends QueueEntry {
+        static final QueueEntry INSTANCE = new AlreadySettled();
 
         private AlreadySettled() {}
     }

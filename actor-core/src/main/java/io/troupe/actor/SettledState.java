@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.QueueEntries;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -51,13 +51,13 @@ abstract class SettledState {
      */
     static final class PendingNotification extends SettledState {
         private final Object outcome;
-        private final AtomicReference<@Nullable Node> late = new AtomicReference<>();
+        private final AtomicReference<@Nullable QueueEntry> late = new AtomicReference<>();
         private final AtomicInteger onTheirWay = new AtomicInteger();
         private final End end = new End(this); // made in advance, so that nothing is missing once it is settled
 
-        PendingNotification(Object outcome, Node listeners) {
+        PendingNotification(Object outcome, QueueEntry listeners) {
             this.outcome = outcome;
-            for (Node node = listeners; node != null; node = Nodes.next(node)) {
+            for (QueueEntry node = listeners; node != null; node = QueueEntries.next(node)) {
                 if (node instanceof Stage) {
                     onTheirWay.incrementAndGet();
                 }
@@ -65,13 +65,13 @@ abstract class SettledState {
         }
 
         /** The listeners, newest first, with the end in front of them. */
-        Node end(Node listeners) {
-            Nodes.link(end, listeners);
+        QueueEntry end(QueueEntry listeners) {
+            QueueEntries.link(end, listeners);
             return end;
         }
 
         /** Counts a listener that has not run yet; true if there are others. */
-        boolean countListener(Node listener) {
+        boolean countListener(QueueEntry listener) {
             return listener instanceof Stage && onTheirWay.getAndIncrement() > 0;
         }
 
@@ -81,8 +81,8 @@ abstract class SettledState {
         }
 
         /** True if the home of some listener may be running concurrently with the calling thread. */
-        static boolean isNeeded(Node newest) {
-            for (Node node = newest; node != null; node = Nodes.next(node)) {
+        static boolean isNeeded(QueueEntry newest) {
+            for (QueueEntry node = newest; node != null; node = QueueEntries.next(node)) {
                 if (node instanceof Stage<?, ?> stage && stage.isElsewhere()) {
                     return true;
                 }
@@ -95,13 +95,13 @@ abstract class SettledState {
         }
 
         /** Appends a late listener; false once all listeners have been notified. */
-        boolean append(Node listener) {
+        boolean append(QueueEntry listener) {
             while (true) {
-                Node now = late.get();
+                QueueEntry now = late.get();
                 if (now == Settleable.AlreadySettled.INSTANCE) {
                     return false;
                 }
-                Nodes.link(listener, now);
+                QueueEntries.link(listener, now);
                 if (late.compareAndSet(now, listener)) {
                     return true;
                 }
@@ -109,7 +109,7 @@ abstract class SettledState {
         }
 
         /** The last entry of the queue: closes it, or lets late listeners go first. */
-        static final class End extends Node {
+        static final class End extends QueueEntry {
             private final PendingNotification notification;
 
             private End(PendingNotification notification) {
@@ -121,11 +121,11 @@ abstract class SettledState {
              * returns null.
              */
             @Nullable
-            Node closeOrTakeLate() {
+            QueueEntry closeOrTakeLate() {
                 if (notification.late.compareAndSet(null, Settleable.AlreadySettled.INSTANCE)) {
                     return null;
                 }
-                Nodes.link(this, notification.late.getAndSet(null));
+                QueueEntries.link(this, notification.late.getAndSet(null));
                 return this;
             }
         }

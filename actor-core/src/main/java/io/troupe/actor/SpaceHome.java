@@ -2,10 +2,10 @@ package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.NodeQueue;
-import io.troupe.actor.internal.loop.Nodes;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.EntryQueue;
+import io.troupe.actor.internal.loop.QueueEntries;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.util.Objects;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -21,10 +21,10 @@ final class SpaceHome extends Home {
     }
 
     // fields of the space itself, because every call from another thread and every answer reads them
-    private final NodeQueue inbox = new NodeQueue();
-    private final NodeQueue callbackInbox = new NodeQueue();
-    private final NodeRing callbacks = new NodeRing(callbackInbox);
-    private final NodeRing messages = new NodeRing();
+    private final EntryQueue inbox = new EntryQueue();
+    private final EntryQueue callbackInbox = new EntryQueue();
+    private final EntryRing callbacks = new EntryRing(callbackInbox);
+    private final EntryRing messages = new EntryRing();
     private final IdleStrategy idle = new IdleStrategy();
     private @Nullable Thread thread; // the thread that has control now; only that thread finds itself here
     private @Nullable TimeLimit limit; // of the current turn; most turns have none
@@ -78,7 +78,7 @@ final class SpaceHome extends Home {
     }
 
     @Override
-    public void enqueue(Node node) {
+    public void enqueue(QueueEntry node) {
         if (isCurrent()) {
             callbacks.add(node);
             messages.allow(0); // the callback comes first
@@ -88,13 +88,13 @@ final class SpaceHome extends Home {
     }
 
     /** Queues a callback behind those that other threads have queued so far; on this space's thread. */
-    void enqueueBehindArrivals(Node node) {
+    void enqueueBehindArrivals(QueueEntry node) {
         dispatcher.takeCallbacks();
         enqueue(node);
     }
 
     @Override
-    public void enqueueAsRemote(Node node) {
+    public void enqueueAsRemote(QueueEntry node) {
         offer(node, callbackInbox);
     }
 
@@ -103,7 +103,7 @@ final class SpaceHome extends Home {
      *
      * @return false if the space is closed: then the caller has to call {@link #rejectLeftovers}, not under the lock
      */
-    boolean enqueueUnderLock(Node node) {
+    boolean enqueueUnderLock(QueueEntry node) {
         if (isCurrent()) {
             enqueue(node);
             return true;
@@ -112,7 +112,7 @@ final class SpaceHome extends Home {
     }
 
     @Override
-    public void enqueueAtHome(Node node) {
+    public void enqueueAtHome(QueueEntry node) {
         if (Thread.currentThread() instanceof SpaceThread own && own.serves(this)) {
             own.callbacks().add(node);
             own.messages().allow(0); // the callback comes first
@@ -127,7 +127,7 @@ final class SpaceHome extends Home {
         return callbacks.isEmpty() && !callbackInbox.isReady();
     }
 
-    void enqueueMessage(Node node) {
+    void enqueueMessage(QueueEntry node) {
         if (isCurrent()) {
             messages.add(node);
         } else {
@@ -135,24 +135,24 @@ final class SpaceHome extends Home {
         }
     }
 
-    /** Queues a node behind all messages that are queued, those of other threads included; on this space's thread. */
-    void enqueueMessageLast(Node node) {
+    /** Queues an entry behind all messages that are queued, those of other threads included; on this space's thread. */
+    void enqueueMessageLast(QueueEntry node) {
         offer(node, inbox);
     }
 
-    /** Queues a node of another thread; if this throws, nothing was queued. */
-    private void offer(Node node, NodeQueue queue) {
+    /** Queues an entry of another thread; if this throws, nothing was queued. */
+    private void offer(QueueEntry node, EntryQueue queue) {
         if (!offerOnly(node, queue)) {
             rejectLeftovers();
         }
     }
 
     /**
-     * Like {@link #offer}, but leaves it to the caller to reject the node if the space is closed: this returns false.
+     * Like {@link #offer}, but leaves it to the caller to reject the entry if the space is closed: this returns false.
      */
-    private boolean offerOnly(Node node, NodeQueue queue) {
+    private boolean offerOnly(QueueEntry node, EntryQueue queue) {
         if (idle.phase == IdleStrategy.CLOSED) {
-            closing.checkStack(); // because this caller must reject the node itself
+            closing.checkStack(); // because this caller must reject the entry itself
         }
         queue.offer(node);
         try {
@@ -179,7 +179,7 @@ final class SpaceHome extends Home {
     }
 
     @Override
-    public void rejected(Node node, Throwable error) {
+    public void rejected(QueueEntry node, Throwable error) {
         var promise = (Promise<?>) node;
         try {
             noteRejected(promise, error);
@@ -206,7 +206,7 @@ final class SpaceHome extends Home {
     }
 
     @Override
-    public void rejectedTooLate(Node promise, Throwable error) {
+    public void rejectedTooLate(QueueEntry promise, Throwable error) {
         if (!(error instanceof ActorStoppedException)) { // a caller that has timed out does not need this error
             rejected(promise, error);
         }
@@ -218,7 +218,7 @@ final class SpaceHome extends Home {
     }
 
     @Override
-    public void await(Node promise) {
+    public void await(QueueEntry promise) {
         sequences.await((Promise<?>) promise);
     }
 
@@ -338,15 +338,15 @@ final class SpaceHome extends Home {
     // ---- turns, on the space's thread
 
     @Override
-    protected Owner keptOwner() {
-        Node kept = messages.kept();
-        Owner owner = kept == null ? null : Nodes.turnOwner(kept);
+    protected TurnOwner keptOwner() {
+        QueueEntry kept = messages.kept();
+        TurnOwner owner = kept == null ? null : QueueEntries.turnOwner(kept);
         return owner == null ? itself() : owner;
     }
 
     /** Begins the turn of a message that is in no ring. */
-    void beginFor(Node message) {
-        Owner owner = Nodes.turnOwner(message);
+    void beginFor(QueueEntry message) {
+        TurnOwner owner = QueueEntries.turnOwner(message);
         begin(owner == null ? itself() : owner);
     }
 
@@ -471,7 +471,7 @@ final class SpaceHome extends Home {
 
     /**
      * The actors of a space that have started and not stopped, in the order of their start. The list is linked through
-     * the cells, so that an actor needs no list node.
+     * the cells, so that an actor needs no list entry.
      */
     static final class ActorList {
         private @Nullable ActorCell first;

@@ -1,6 +1,6 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.DetachedNodes;
+import io.troupe.actor.internal.loop.DetachedEntries;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -10,22 +10,22 @@ import org.jspecify.annotations.Nullable;
  * address for the next entry depends on a long chain of loads through the current message. From the thread the chain is
  * short, and the same for all messages.
  */
-final class SpaceThread extends Thread implements DetachedNodes.Keeper {
+final class SpaceThread extends Thread implements DetachedEntries.Keeper {
     private final @Nullable SpaceHome space; // null if every call needs a context
     private @Nullable SpaceHome direct; // null if calls need a context or a mark now
     private boolean hasLimit;
     private int handlers; // see HandlerTurn
-    private final NodeRing callbacks;
-    private final NodeRing messages;
+    private final EntryRing callbacks;
+    private final EntryRing messages;
     private final SpaceLoop loop;
-    private final DetachedNodes detachedNodes = new DetachedNodes();
+    private final DetachedEntries detachedNodes = new DetachedEntries();
 
     /**
      * Creates the thread.
      *
      * @param isDirect whether calls go straight into the rings; false if they need a context, or are observed
      */
-    SpaceThread(SpaceHome space, boolean isDirect, NodeRing callbacks, NodeRing messages, SpaceLoop loop) {
+    SpaceThread(SpaceHome space, boolean isDirect, EntryRing callbacks, EntryRing messages, SpaceLoop loop) {
         super(null, null, space.toString(), 0, false);
         setContextClassLoader(space.contextClassLoader());
         this.space = isDirect ? space : null;
@@ -63,16 +63,16 @@ final class SpaceThread extends Thread implements DetachedNodes.Keeper {
         direct = hasLimit || now != 0 ? null : space;
     }
 
-    NodeRing callbacks() {
+    EntryRing callbacks() {
         return callbacks;
     }
 
-    NodeRing messages() {
+    EntryRing messages() {
         return messages;
     }
 
     @Override
-    public DetachedNodes detachedNodes() {
+    public DetachedEntries detachedNodes() {
         return detachedNodes;
     }
 

@@ -2,8 +2,8 @@ package io.troupe.actor;
 
 import io.troupe.actor.SettledState.Rejection;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.function.BiConsumer;
@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  */
 abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> extends Promise<T> {
     private @Nullable Promise<S> source;
-    private final @Nullable Owner owner;
+    private final @Nullable TurnOwner owner;
 
     Stage(Promise<S> source) {
         this.source = source;
@@ -131,7 +131,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
      * Like {@link #dispatch(Home)}, but returns this listener, instead of queueing it, if it would be run next; else
      * null.
      */
-    final @Nullable Node returnOrEnqueue(Home here) {
+    final @Nullable QueueEntry returnOrEnqueue(Home here) {
         if (owner != null && owner.home() == here && here.isNextCallbackFirst()) {
             return this;
         }
@@ -254,7 +254,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        protected @Nullable Node serve() {
+        protected @Nullable QueueEntry serve() {
             var apply = Objects.requireNonNull(function);
             function = null;
             Object outcome = begin();
@@ -277,7 +277,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        protected @Nullable Node serve() {
+        protected @Nullable QueueEntry serve() {
             var look = Objects.requireNonNull(listener);
             listener = null;
             Object outcome = begin();
@@ -301,7 +301,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        protected @Nullable Node serve() {
+        protected @Nullable QueueEntry serve() {
             var apply = Objects.requireNonNull(function);
             function = null;
             Object outcome = begin();
@@ -334,7 +334,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        protected @Nullable Node serve() {
+        protected @Nullable QueueEntry serve() {
             var look = Objects.requireNonNull(listener);
             listener = null;
             Object outcome = begin();
@@ -378,7 +378,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        protected @Nullable Node serve() {
+        protected @Nullable QueueEntry serve() {
             var apply = Objects.requireNonNull(function);
             var rescueBy = rescue;
             function = null;
@@ -397,7 +397,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         private void followAnswer(@Nullable Promise<? extends T> answer) {
-            Node next = followAtHome(Objects.requireNonNull(answer, "the function returned null, not a promise"));
+            QueueEntry next = followAtHome(Objects.requireNonNull(answer, "the function returned null, not a promise"));
             if (next
                     instanceof
                     Stage<?, ?> listener) { // queued, so that a chain of such functions gives other entries their turn

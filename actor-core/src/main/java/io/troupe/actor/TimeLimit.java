@@ -2,7 +2,7 @@ package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -21,13 +21,13 @@ import org.jspecify.annotations.Nullable;
 final class TimeLimit {
     private static final int FEW = 8;
 
-    private record Asked(Request<?> request, Owner caller) {}
+    private record Asked(Request<?> request, TurnOwner caller) {}
 
     private final SpaceHome home; // by whose clock
     private final Duration limit;
     private final long deadlineNanos;
     private final List<Deferred<?>> questions = new ArrayList<>(2); // guarded by this
-    private @Nullable Owner caller; // of the last request; guarded by this
+    private @Nullable TurnOwner caller; // of the last request; guarded by this
     private List<Asked> open = new ArrayList<>(1);
     private int sweepAt = FEW;
     private @Nullable Runnable withdraw; // of the timer, while it is set
@@ -99,7 +99,7 @@ final class TimeLimit {
         reject(asked);
     }
 
-    private Owner caller() {
+    private TurnOwner caller() {
         Home here = Home.current();
         return here == null ? home.itself() : here.owner();
     }

@@ -430,7 +430,7 @@ final class TimerWheel {
     }
 
     /**
-     * Timers ordered by deadline, then by creation: a heap with four children per node, in which each timer stores its
+     * Timers ordered by deadline, then by creation: a heap with four children per entry, in which each timer stores its
      * index.
      *
      * <p><b>Cost.</b> Logarithmic time for adding and removing.

@@ -2,7 +2,7 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.EntryQueue;
 import java.io.IOException;
 import java.lang.reflect.Field;
 import java.lang.reflect.Method;
@@ -30,7 +30,7 @@ final class CacheLinesTest {
     public static void main(String[] arguments) throws ReflectiveOperationException {
         List<String> found = new ArrayList<>();
         int checked = 0;
-        for (Class<?> type : List.of(NodeQueue.class, IdleStrategy.class, EntryCounter.class)) {
+        for (Class<?> type : List.of(EntryQueue.class, IdleStrategy.class, EntryCounter.class)) {
             var fields = fields(type);
             for (Field padded : fields) {
                 if (List.of(PADDED).contains(padded.getDeclaringClass().getName() + "." + padded.getName())) {

@@ -3,7 +3,7 @@ package io.troupe.actor;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.actor.testkit.TestSpace;
 import java.io.File;
 import java.lang.StackWalker.Option;
@@ -88,7 +88,7 @@ class ContractTest extends InTestSpace {
         Desk desk = test.spawn(Desk.class, () -> (number, text) -> Promise.of(number));
         Promise<Integer> request = desk.ask(1, "one");
         Class<?> type = request.getClass();
-        assertThat(request).isInstanceOf(Request.class).isInstanceOf(Node.class);
+        assertThat(request).isInstanceOf(Request.class).isInstanceOf(QueueEntry.class);
         assertThat(Modifier.isAbstract(Promise.class.getModifiers())).isTrue();
         int access = Modifier.PUBLIC | Modifier.PROTECTED;
         assertThat(Promise.class.getDeclaredConstructor().getModifiers() & access)

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.EntryQueue;
 import java.io.IOException;
 import java.lang.ref.WeakReference;
 import java.time.Duration;
@@ -314,7 +314,7 @@ class PromiseHomeTest extends InTestSpace {
     @Test
     void rejectionOfAPromiseWithManyListeners_isReportedWithoutItsLock() {
         var lockHeld = new ArrayList<Boolean>();
-        var listeners = new ArrayList<Node>();
+        var listeners = new ArrayList<QueueEntry>();
         var promise = new Promise<Integer>() {
             @Override
             protected @Nullable Home home() {
@@ -327,7 +327,7 @@ class PromiseHomeTest extends InTestSpace {
         }
         Reachable.from(promise).stream()
                 .filter(Listeners.Many.class::isInstance)
-                .forEach(each -> listeners.add((Node) each));
+                .forEach(each -> listeners.add((QueueEntry) each));
         assertThat(listeners).hasSize(1);
         promise.settleError(new IllegalStateException("failed"));
         assertThat(lockHeld).isNotEmpty().containsOnly(false);
@@ -414,7 +414,7 @@ class PromiseHomeTest extends InTestSpace {
 
     @Test
     void queueThatIsIdle_keepsNoNode() {
-        var queue = new NodeQueue();
+        var queue = new EntryQueue();
         for (int round = 0; round < 3; round++) {
             var first = new Listeners.Inline(() -> {}, () -> false);
             var second = new Listeners.Inline(() -> {}, () -> false);

@@ -6,7 +6,7 @@ import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.actor.Request;
 import io.troupe.actor.internal.Message;
-import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
@@ -66,7 +66,7 @@ final class ActorProvider<A> implements Provider {
 
         @Override
         @Nullable
-        Promise<?> send(Class<?> type, Node call, RemoteCaller remote, @Nullable Duration limit)
+        Promise<?> send(Class<?> type, QueueEntry call, RemoteCaller remote, @Nullable Duration limit)
                 throws NotSentException {
             try {
                 if (call instanceof Message message) {
@@ -81,7 +81,7 @@ final class ActorProvider<A> implements Provider {
 
         @Override
         @Nullable
-        Object result(Class<?> type, Node call, @Nullable Object answer) {
+        Object result(Class<?> type, QueueEntry call, @Nullable Object answer) {
             return answer;
         }
     }

@@ -250,7 +250,7 @@ public final class ActorServices {
         public Promise<@Nullable Void> start() {
             if (life.hasEnded()) {
                 return Promise.failed(new ProviderException(
-                        life.address() + " has stopped, and only who spawned it can spawn it again", null));
+                        life.address() + " has stopped; this broker did not spawn it and cannot restart it", null));
             }
             return actors.begun(life, space, type);
         }

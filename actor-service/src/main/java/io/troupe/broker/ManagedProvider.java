@@ -499,7 +499,7 @@ final class ManagedProvider {
                 .call(
                         running.instance.provider::check,
                         context.settings.checkLimit(),
-                        this + " did not answer the question for its health",
+                        this + " did not answer the request for its health",
                         error -> context.events.publish(new BrokerEvent.Late(toString(), "check", error)))
                 .onSettled((well, error) -> {
                     if (isRunning(running)) {

@@ -2,7 +2,7 @@ package io.troupe.broker;
 
 import io.troupe.actor.Promise;
 import io.troupe.actor.internal.Message;
-import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.List;
@@ -67,7 +67,7 @@ final class RemoteActor extends RunningActor {
 
     @Override
     @Nullable
-    Promise<?> send(Class<?> type, Node call, RemoteCaller remote, @Nullable Duration limit) throws NotSentException {
+    Promise<?> send(Class<?> type, QueueEntry call, RemoteCaller remote, @Nullable Duration limit) throws NotSentException {
         CallableMethods.CallableMethod method = method(type, call);
         if (!methods.contains(method.name)) { // a default method, which its interface there need not have
             throw new NotSentException(new ProviderException(
@@ -78,11 +78,11 @@ final class RemoteActor extends RunningActor {
 
     @Override
     @Nullable
-    Object result(Class<?> type, Node call, @Nullable Object answer) {
+    Object result(Class<?> type, QueueEntry call, @Nullable Object answer) {
         return method(type, call).decodeResult(((CallMessages.Result) Objects.requireNonNull(answer)).value());
     }
 
-    private CallableMethods.CallableMethod method(Class<?> type, Node call) {
+    private CallableMethods.CallableMethod method(Class<?> type, QueueEntry call) {
         return Objects.requireNonNull(interfaces.of(type).method(Message.signatureOf(call)));
     }
 }

@@ -2,7 +2,7 @@ package io.troupe.broker;
 
 import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
-import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.Set;
@@ -51,11 +51,11 @@ abstract class RunningActor {
      * @param limit the longest time until the answer; null = no limit
      * @return the answer; null for a one-way call
      */
-    abstract @Nullable Promise<?> send(Class<?> type, Node call, RemoteCaller remote, @Nullable Duration limit)
+    abstract @Nullable Promise<?> send(Class<?> type, QueueEntry call, RemoteCaller remote, @Nullable Duration limit)
             throws NotSentException;
 
     /** The value of an answer. */
-    abstract @Nullable Object result(Class<?> type, Node call, @Nullable Object answer);
+    abstract @Nullable Object result(Class<?> type, QueueEntry call, @Nullable Object answer);
 
     /**
      * Watches for the end of this instance.

@@ -10,7 +10,7 @@ import io.troupe.actor.Request;
 import io.troupe.actor.Timer;
 import io.troupe.actor.internal.Forwarder;
 import io.troupe.actor.internal.Message;
-import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.bus.BusException;
 import io.troupe.bus.BusTimeoutException;
 import io.troupe.bus.RemoteFailure;
@@ -34,8 +34,8 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
     private final Need need;
     private final ConnectionSettings settings;
     private final Deferred<ServiceRecord> first;
-    private final LinkedHashMap<Node, PendingCall> waiting = new LinkedHashMap<>(); // in the order of their arrival
-    private final Map<Node, PendingCall> underWay = new LinkedHashMap<>();
+    private final LinkedHashMap<QueueEntry, PendingCall> waiting = new LinkedHashMap<>(); // in the order of their arrival
+    private final Map<QueueEntry, PendingCall> underWay = new LinkedHashMap<>();
     private @Nullable RunningActor current;
     private @Nullable IllegalArgumentException mismatch;
     private String noProvider = "none has been found yet";
@@ -341,7 +341,7 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
 
     /** A call that is queued or waits for its answer. Used on the connection's space. */
     private static final class PendingCall {
-        final Node call; // a Message or a Request
+        final QueueEntry call; // a Message or a Request
         private final @Nullable Deferred<@Nullable Object> answer; // null: a one-way call
 
         @Nullable
@@ -356,7 +356,7 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
         @Nullable
         Timer limit;
 
-        PendingCall(Node call, @Nullable Deferred<@Nullable Object> answer) {
+        PendingCall(QueueEntry call, @Nullable Deferred<@Nullable Object> answer) {
             this.call = call;
             this.answer = answer;
         }

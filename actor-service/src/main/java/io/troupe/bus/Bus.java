@@ -492,7 +492,7 @@ public final class Bus implements AutoCloseable {
             reject(
                     to,
                     delivery,
-                    "the question is a " + payload.getClass().getName() + ", expected a "
+                    "the request is a " + payload.getClass().getName() + ", expected a "
                             + handler.operation.request().getName());
             return;
         }
@@ -535,7 +535,7 @@ public final class Bus implements AutoCloseable {
         if (message.purpose() instanceof Purpose.Request request) {
             return request.operation();
         }
-        throw new IllegalStateException("not a question: " + message);
+        throw new IllegalStateException("not a request: " + message);
     }
 
     @Override

@@ -62,7 +62,7 @@ public sealed interface BusMessage {
         record Request(Address to, String operation) implements Purpose {
             @Override
             public String toString() {
-                return "question to " + to + " for " + operation;
+                return "request to " + to + " for " + operation;
             }
         }
 
@@ -82,7 +82,7 @@ public sealed interface BusMessage {
         record Reply(Address to, String operation, long request) implements Purpose {
             @Override
             public String toString() {
-                return "answer to " + to + " for " + operation;
+                return "reply to " + to + " for " + operation;
             }
         }
 

@@ -212,7 +212,7 @@ public final class BusPort implements AutoCloseable {
         }
         node.detach(this);
         queues.forEach(queue -> queue.end(why));
-        node.rejectRequestsOf(this, "the asker has left: " + why);
+        node.rejectRequestsOf(this, "the port of the requester was closed: " + why);
     }
 
     @Nullable

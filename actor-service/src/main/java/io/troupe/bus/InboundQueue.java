@@ -5,7 +5,7 @@ import io.troupe.actor.LibraryAccess;
 import io.troupe.actor.Promise;
 import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.TurnOwner;
 import io.troupe.actor.internal.loop.OwnerTask;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -22,7 +22,7 @@ abstract class InboundQueue {
     final Bus node;
     final BusPort port;
     private final ActorSpace space;
-    private final Owner owner; // the actor that created the queue, or its space
+    private final TurnOwner owner; // the actor that created the queue, or its space
     private final BoundedQueue<MessageDelivery> waiting; // guarded by this
     private boolean signalled; // guarded by this: a drain is scheduled on the space
     private volatile @Nullable String ended; // the reason; written under this

@@ -40,7 +40,7 @@ final class PendingRequests {
                 requester.address(),
                 new Purpose.Request(to, operation.name()),
                 node.nextNumber(),
-                node.copy(operation.request().cast(Objects.requireNonNull(request, "question"))));
+                node.copy(operation.request().cast(Objects.requireNonNull(request, "request"))));
         ActorSpace here = ActorSpace.current();
         var waiting =
                 new PendingRequest<A>(requester, to, operation, message, here == null ? node.settings.space() : here);
@@ -51,7 +51,7 @@ final class PendingRequests {
         // read after put(): either this thread or close() sees the other's change
         String closed = requester.whyClosed();
         if (closed != null) {
-            reject(number, "the asker has left: " + closed, false);
+            reject(number, "the port of the requester was closed: " + closed, false);
         } else {
             node.request(message, limit, left != null);
         }
@@ -87,7 +87,7 @@ final class PendingRequests {
         if (late != null && timeIsOver) {
             PendingRequest.counted(node.counters.timedOut, late.reject(late.timeout(limit)));
         } else if (late != null) {
-            reject(late, "the space of the asker was closed", true);
+            reject(late, "the space of the requester was closed", true);
         }
     }
 
@@ -95,11 +95,11 @@ final class PendingRequests {
     void settle(BusMessage reply, long request) {
         PendingRequest<?> asked = pending.get(request);
         if (asked != null && !asked.isAnsweredBy(reply)) {
-            node.notifier.late(reply, "it is for another question of that number, of an earlier life of this node");
+            node.notifier.late(reply, "it is for another request of that number, of an earlier life of this node");
         } else if (asked == null || !pending.remove(request, asked)) {
             node.notifier.late(reply, "no caller waits for it any more");
         } else if (!asked.settle(reply, node.counters)) {
-            node.notifier.late(reply, "the asker has cancelled");
+            node.notifier.late(reply, "the requester has cancelled");
         }
     }
 

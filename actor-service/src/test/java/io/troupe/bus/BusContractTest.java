@@ -217,7 +217,7 @@ class BusContractTest extends BusContract {
                 .endsWith(
                         bytes
                                 ? "cannot " + unreadable
-                                : "the question is a " + Text.class.getName() + ", expected a "
+                                : "the request is a " + Text.class.getName() + ", expected a "
                                         + Count.class.getName());
         assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
         var toCount = new Operation<>("spell", Count.class, Count.class, Operation.Kind.DATA);
@@ -427,7 +427,7 @@ class BusContractTest extends BusContract {
         var answer = ask(asker, speller(count -> kept), 1);
         test.runQueued();
         asker.close();
-        assertThat(refusalOf(answer)).endsWith("for spell: the asker has left: it has left the bus");
+        assertThat(refusalOf(answer)).endsWith("for spell: the port of the requester was closed: it has left the bus");
         kept.resolve(new Text("for nobody"));
         test.runQueued();
         assertTakenLosses(1, Loss.Late.class);
@@ -647,7 +647,7 @@ class BusContractTest extends BusContract {
                 .hasMessage(asker.address() + " cannot publish on counts: it has left the bus");
         assertThatThrownBy(() -> asker.subscribe(COUNTS, (count, from) -> {})).isInstanceOf(BusException.class);
         assertThatThrownBy(() -> asker.answer(SPELL, BusContract::spelt)).isInstanceOf(BusException.class);
-        assertThat(refusalOf(ask(asker, asker, 1))).endsWith("the asker has left: it has left the bus");
+        assertThat(refusalOf(ask(asker, asker, 1))).endsWith("the port of the requester was closed: it has left the bus");
     }
 
     @Test

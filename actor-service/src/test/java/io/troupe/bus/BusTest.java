@@ -103,7 +103,7 @@ class BusTest extends BusContract {
         test.runQueued();
         requesters.close();
         assertThat(answers.getFirst().error())
-                .hasMessage("robots/asker asked robots/answerer for spell: the space of the asker was closed");
+                .hasMessage("robots/asker asked robots/answerer for spell: the space of the requester was closed");
         assertThat(unheard).containsExactly(answers.getFirst().error());
         handler.close();
         assertThat(losses).as("the answerer has forgotten it").isEmpty();

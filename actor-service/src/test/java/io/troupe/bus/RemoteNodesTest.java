@@ -451,7 +451,7 @@ class RemoteNodesTest {
         arrives(farFrames.request(new BusMessage.Data(FAR, purpose, 9, FirstContacts.NOTHING), purpose, 0, false));
         assertThat(engine.takeSent("far"))
                 .containsExactly(
-                        "reply far: Replied[purpose=answer to far/b for time, kind=CONTROL, toIncarnation=77]");
+                        "reply far: Replied[purpose=reply to far/b for time, kind=CONTROL, toIncarnation=77]");
     }
 
     @Test
@@ -473,19 +473,19 @@ class RemoteNodesTest {
         var answer = heard(port.ask(FAR, SPELL, new Count(1), SECOND));
         assertThat(engine.takeSent("far"))
                 .containsExactly(
-                        "send far: Requested[purpose=question to far/b for spell, kind=DATA, limitMicros=1000000,"
+                        "send far: Requested[purpose=request to far/b for spell, kind=DATA, limitMicros=1000000,"
                                 + " isShared=false]");
         test.runQueued();
         test.advance(SECOND.plusMillis(1));
         assertThat(answer.error()).isInstanceOf(BusTimeoutException.class);
-        assertThat(engine.takeSent("far")).containsExactly("send far: Cancelled[purpose=question to far/b for spell]");
+        assertThat(engine.takeSent("far")).containsExactly("send far: Cancelled[purpose=request to far/b for spell]");
     }
 
     @Test
     void request_withoutALimit_carriesNone() {
         var answer = heard(port.ask(FAR, SPELL, new Count(1), null));
         assertThat(engine.takeSent("far"))
-                .containsExactly("send far: Requested[purpose=question to far/b for spell, kind=DATA, limitMicros=0,"
+                .containsExactly("send far: Requested[purpose=request to far/b for spell, kind=DATA, limitMicros=0,"
                         + " isShared=false]");
         engine.why = "it is disconnected";
         answer.cancel();
@@ -504,7 +504,7 @@ class RemoteNodesTest {
                 .exceptionally(late -> new Text(""));
         test.runQueued();
         assertThat(engine.takeSent("far"))
-                .containsExactly("send far: Requested[purpose=question to far/b for spell, kind=DATA,"
+                .containsExactly("send far: Requested[purpose=request to far/b for spell, kind=DATA,"
                         + " limitMicros=600000, isShared=true]");
         test.advance(SECOND);
         assertThat(asked.getFirst().error()).isInstanceOf(BusTimeoutException.class);
@@ -539,7 +539,7 @@ class RemoteNodesTest {
                         Optional.of(SECOND),
                         Optional.of(SECOND));
         engine.sent.clear();
-        assertThat(take(events)).containsExactly("question to near/a for spell failed: not that");
+        assertThat(take(events)).containsExactly("request to near/a for spell failed: not that");
     }
 
     @Test
@@ -572,7 +572,7 @@ class RemoteNodesTest {
         farAnswersItsTime();
         test.runQueued();
         assertThat(engine.takeSent("far"))
-                .containsExactly("reply far: Replied[purpose=answer to far/b for spell, kind=DATA, toIncarnation=77]");
+                .containsExactly("reply far: Replied[purpose=reply to far/b for spell, kind=DATA, toIncarnation=77]");
         arrives(request(2, SECOND, new Count(2)));
         test.clock().advance(SECOND.plusMillis(1));
         test.runQueued();
@@ -615,7 +615,7 @@ class RemoteNodesTest {
                 .hasMessage("near/a asked far/b for spell: no such node");
         assertThat(take(losses))
                 .containsExactly(
-                        "question to far/b for spell from near/a (number 1) cannot be delivered: no such node");
+                        "request to far/b for spell from near/a (number 1) cannot be delivered: no such node");
         assertThat(engine.takeSent("far")).as("no cancellation").hasSize(1);
     }
 
@@ -630,7 +630,7 @@ class RemoteNodesTest {
         assertThat(other.isDone()).isFalse();
         assertThat(take(losses))
                 .containsExactlyInAnyOrder(
-                        "question to far/b for spell from near/a (number 1) cannot be delivered: no permission",
+                        "request to far/b for spell from near/a (number 1) cannot be delivered: no permission",
                         "notice to far/b for spell from near/a (number 3) cannot be delivered: no permission");
         engine.listener().rejected("far", "no permission");
         assertThat(losses).as("each is reported once").isEmpty();

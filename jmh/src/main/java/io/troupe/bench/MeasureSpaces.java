@@ -5,8 +5,8 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.EntryQueue;
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
 import io.troupe.tools.SampleStatistics;
 import java.lang.management.ManagementFactory;
@@ -114,7 +114,7 @@ public final class MeasureSpaces implements Callable<Integer> {
             answerer.start();
         }
 
-        private static final class Ball extends Node {
+        private static final class Ball extends QueueEntry {
             private final CompletableFuture<@Nullable Void> done;
             private int left;
 
@@ -125,7 +125,7 @@ public final class MeasureSpaces implements Callable<Integer> {
         }
 
         private static final class End implements Runnable {
-            private final NodeQueue queue = new NodeQueue();
+            private final EntryQueue queue = new EntryQueue();
             private final Thread thread =
                     Thread.ofPlatform().daemon().name("exchange").unstarted(this);
             private @Nullable End other;
@@ -136,7 +136,7 @@ public final class MeasureSpaces implements Callable<Integer> {
                 thread.start();
             }
 
-            void offer(Node node) {
+            void offer(QueueEntry node) {
                 queue.offer(node);
                 wake();
             }
@@ -152,7 +152,7 @@ public final class MeasureSpaces implements Callable<Integer> {
             public void run() {
                 End receiver = Objects.requireNonNull(other);
                 while (!isOver) {
-                    Node node = queue.poll();
+                    QueueEntry node = queue.poll();
                     if (node == null) {
                         sleep();
                     } else {

@@ -1,6 +1,6 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.QueueEntries;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;
@@ -29,7 +29,7 @@ public class CancelAgainstStart {
     @Actor
     public void start() {
         try {
-            Nodes.serve(request);
+            QueueEntries.serve(request);
         } catch (Throwable thrown) {
             throw new IllegalStateException("an answer was thrown", thrown);
         }

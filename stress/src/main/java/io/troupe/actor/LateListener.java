@@ -1,9 +1,9 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.NodeQueue;
-import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.EntryQueue;
+import io.troupe.actor.internal.loop.QueueEntries;
 import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 import org.openjdk.jcstress.annotations.Actor;
@@ -59,26 +59,26 @@ public class LateListener {
             task.run();
         }
 
-        private final ArrayDeque<Node> ring = new ArrayDeque<>();
-        private final NodeQueue inbox = new NodeQueue();
+        private final ArrayDeque<QueueEntry> ring = new ArrayDeque<>();
+        private final EntryQueue inbox = new EntryQueue();
         private @Nullable Thread thread;
 
         void drain() {
-            for (Node node = next(); node != null; node = next()) {
+            for (QueueEntry node = next(); node != null; node = next()) {
                 runOne(node);
             }
         }
 
-        private static void runOne(Node node) {
+        private static void runOne(QueueEntry node) {
             try {
-                Nodes.serve(node);
+                QueueEntries.serve(node);
             } catch (Throwable thrown) {
                 throw new IllegalStateException("a listener threw", thrown);
             }
         }
 
-        private @Nullable Node next() {
-            Node node = ring.poll();
+        private @Nullable QueueEntry next() {
+            QueueEntry node = ring.poll();
             return node != null ? node : inbox.poll();
         }
 
@@ -93,7 +93,7 @@ public class LateListener {
         }
 
         @Override
-        public void enqueue(Node node) {
+        public void enqueue(QueueEntry node) {
             if (isCurrent()) {
                 ring.add(node);
             } else {
@@ -102,12 +102,12 @@ public class LateListener {
         }
 
         @Override
-        public void enqueueAsRemote(Node node) {
+        public void enqueueAsRemote(QueueEntry node) {
             inbox.offer(node);
         }
 
         @Override
-        public void enqueueAtHome(Node node) {
+        public void enqueueAtHome(QueueEntry node) {
             ring.add(node);
         }
 
@@ -117,12 +117,12 @@ public class LateListener {
         }
 
         @Override
-        public void rejected(Node rejected, Throwable error) {
+        public void rejected(QueueEntry rejected, Throwable error) {
             throw new UnsupportedOperationException("no promise is rejected here");
         }
 
         @Override
-        public void await(Node awaited) {
+        public void await(QueueEntry awaited) {
             throw new UnsupportedOperationException("no thread waits here");
         }
     }

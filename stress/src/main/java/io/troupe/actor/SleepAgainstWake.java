@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.EntryQueue;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;
@@ -23,7 +23,7 @@ import org.openjdk.jcstress.infra.results.ZZ_Result;
         desc = "Each missed the other: the space parks with a message waiting.")
 @State
 public class SleepAgainstWake {
-    private static final class Letter extends Node {}
+    private static final class Letter extends QueueEntry {}
 
     /** No timer is set here, so all states may share this wheel. */
     private static final TimerWheel NO_TIMERS = new TimerWheel(Clock.system());
@@ -32,7 +32,7 @@ public class SleepAgainstWake {
     private static final ActorSpace SPACE = ActorSpace.create(SETTINGS);
 
     private final Dispatcher dispatcher = new Dispatcher(
-            SPACE.home, new NodeQueue(), new NodeQueue(), new NodeRing(), new NodeRing(), NO_TIMERS, Clock.system());
+            SPACE.home, new EntryQueue(), new EntryQueue(), new EntryRing(), new EntryRing(), NO_TIMERS, Clock.system());
     private final IdleStrategy lifeline = new IdleStrategy();
 
     @Actor

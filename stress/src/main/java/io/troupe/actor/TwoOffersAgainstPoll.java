@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.EntryQueue;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;
@@ -22,11 +22,11 @@ import org.openjdk.jcstress.infra.results.II_Result;
 @Outcome(expect = Expect.FORBIDDEN, desc = "A node was lost, doubled, out of order, or came without its content.")
 @State
 public class TwoOffersAgainstPoll {
-    private static final class Letter extends Node {
+    private static final class Letter extends QueueEntry {
         int content;
     }
 
-    private final NodeQueue queue = new NodeQueue();
+    private final EntryQueue queue = new EntryQueue();
     private final Letter first = new Letter();
     private final Letter second = new Letter();
     private int polled;

@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.EntryQueue;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;
@@ -11,7 +11,7 @@ import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.III_Result;
 
 /**
- * Two threads offer one node each while a third polls: every node is taken exactly once, together with its thread's
+ * Two threads offer one entry each while a third polls: every entry is taken exactly once, together with its thread's
  * earlier writes; needs three processors.
  */
 @JCStressTest
@@ -23,11 +23,11 @@ import org.openjdk.jcstress.infra.results.III_Result;
 @Outcome(expect = Expect.FORBIDDEN, desc = "A node was lost, doubled, or came without its content.")
 @State
 public class TwoOffersOnePoll {
-    private static final class Letter extends Node {
+    private static final class Letter extends QueueEntry {
         int content;
     }
 
-    private final NodeQueue queue = new NodeQueue();
+    private final EntryQueue queue = new EntryQueue();
     private final Letter first = new Letter();
     private final Letter second = new Letter();
     private int sumPolled;

@@ -1,8 +1,8 @@
 package io.troupe.actor.internal;
 
 import io.troupe.actor.Request;
-import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.QueueEntry;
+import io.troupe.actor.internal.loop.TurnOwner;
 import io.troupe.actor.internal.loop.PlainText;
 import java.util.Arrays;
 import java.util.stream.Collectors;
@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * A one-way message. For generated code: each {@code void} method of an actor type has a subclass whose fields are the
  * arguments.
  */
-public abstract class Message extends Node {
+public abstract class Message extends QueueEntry {
     private final Recipient receiver;
 
     protected Message(Recipient receiver) {
@@ -34,7 +34,7 @@ public abstract class Message extends Node {
 
     /** Repeated in each generated class, to keep its call site of {@code invoke} monomorphic. */
     @Override
-    protected @Nullable Node serve() throws Throwable {
+    protected @Nullable QueueEntry serve() throws Throwable {
         Object target = target();
         if (target != null) {
             invoke(target);
@@ -63,12 +63,12 @@ public abstract class Message extends Node {
     }
 
     @Override
-    protected final Owner turnOwner() {
+    protected final TurnOwner turnOwner() {
         return receiver().life();
     }
 
-    /** The arguments of a call, or none if the node is no call. */
-    public static @Nullable Object[] argumentsOf(Node call) {
+    /** The arguments of a call, or none if the entry is no call. */
+    public static @Nullable Object[] argumentsOf(QueueEntry call) {
         // no switch: linking it could fail in a caller with little stack left
         if (call instanceof Message message) {
             return message.arguments();
@@ -76,16 +76,16 @@ public abstract class Message extends Node {
         return call instanceof Request<?> request ? request.arguments() : new Object[0];
     }
 
-    /** The name of the method of a call, without its type; empty if the node is no call. */
-    public static String methodOf(Node call) {
+    /** The name of the method of a call, without its type; empty if the entry is no call. */
+    public static String methodOf(QueueEntry call) {
         String name = call instanceof Message message
                 ? nameOf(message.method())
                 : call instanceof Request<?> request ? nameOf(request.method()) : "";
         return name.substring(name.lastIndexOf('.') + 1);
     }
 
-    /** The name and parameter types of the method of a call, without its type; empty if the node is no call. */
-    public static String signatureOf(Node call) {
+    /** The name and parameter types of the method of a call, without its type; empty if the entry is no call. */
+    public static String signatureOf(QueueEntry call) {
         String method = call instanceof Message message
                 ? message.method()
                 : call instanceof Request<?> request ? request.method() : "";
@@ -108,7 +108,7 @@ public abstract class Message extends Node {
     }
 
     /** The values of the arguments, abbreviated: only for those who have asked for them. */
-    public static String argumentsInWords(Node call) {
+    public static String argumentsInWords(QueueEntry call) {
         return Arrays.stream(argumentsOf(call)).map(PlainText::of).collect(Collectors.joining(", "));
     }
 }

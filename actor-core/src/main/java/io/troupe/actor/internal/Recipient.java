@@ -2,7 +2,7 @@ package io.troupe.actor.internal;
 
 import io.troupe.actor.Request;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.TurnOwner;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -46,7 +46,7 @@ public abstract class Recipient {
     public abstract Home home();
 
     /** The incarnation that owns the requests that begin now. */
-    public abstract Owner life();
+    public abstract TurnOwner life();
 
     /**
      * Reports a failure and applies supervision.

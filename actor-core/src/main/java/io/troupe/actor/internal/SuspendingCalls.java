@@ -2,7 +2,7 @@ package io.troupe.actor.internal;
 
 import io.troupe.actor.Promise;
 import io.troupe.actor.SuspendingRequest;
-import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.ParameterizedType;
@@ -131,5 +131,5 @@ public abstract class SuspendingCalls {
      * @param life the incarnation of the actor
      * @return settled with the outcome of the function
      */
-    public abstract Promise<?> start(SuspendingRequest<?> request, Object implementation, Owner life) throws Throwable;
+    public abstract Promise<?> start(SuspendingRequest<?> request, Object implementation, TurnOwner life) throws Throwable;
 }

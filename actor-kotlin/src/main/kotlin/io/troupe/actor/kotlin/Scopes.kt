@@ -6,8 +6,8 @@ package io.troupe.actor.kotlin
 import io.troupe.actor.ActorSpace
 import io.troupe.actor.LibraryAccess
 import io.troupe.actor.internal.loop.Home
-import io.troupe.actor.internal.loop.Node
-import io.troupe.actor.internal.loop.Owner
+import io.troupe.actor.internal.loop.QueueEntry
+import io.troupe.actor.internal.loop.TurnOwner
 import java.time.Duration
 import java.util.concurrent.CancellationException
 import java.util.function.Supplier
@@ -76,7 +76,7 @@ public val ActorSpace.scope: CoroutineScope
  */
 public fun ActorSpace.asDispatcher(): CoroutineDispatcher = owner().scope().dispatcher
 
-private fun ActorSpace.owner(): Owner = LibraryAccess.home(this).itself()
+private fun ActorSpace.owner(): TurnOwner = LibraryAccess.home(this).itself()
 
 /**
  * Registers what a coroutine waits for. The end of the actor whose turn it is would drop a listener of that actor; but
@@ -93,10 +93,10 @@ internal inline fun onBehalfOfTheSpace(register: () -> Unit) {
     }
 }
 
-internal fun Owner.scope(): OwnerScope = attachment(::OwnerScope) as OwnerScope
+internal fun TurnOwner.scope(): OwnerScope = attachment(::OwnerScope) as OwnerScope
 
 /** The coroutines of one incarnation of an actor, or of a space. */
-internal class OwnerScope(owner: Owner) : CoroutineScope, Owner.Attachment {
+internal class OwnerScope(owner: TurnOwner) : CoroutineScope, TurnOwner.Attachment {
     val dispatcher: OwnerDispatcher = OwnerDispatcher(owner)
 
     /** Without a job: each call of a suspend function is ended by its request. */
@@ -115,8 +115,8 @@ internal fun CoroutineContext.isOfThisTurn(): Boolean =
     (this[ContinuationInterceptor] as? OwnerDispatcher)?.owner === Home.current()?.owner()
 
 /** An exception that no caller gets: a failure of its owner. */
-internal class Failure(private val owner: Owner, private val error: Throwable) : Node() {
-    override fun serve(): Node? {
+internal class Failure(private val owner: TurnOwner, private val error: Throwable) : QueueEntry() {
+    override fun serve(): QueueEntry? {
         owner.home().beginForItself()
         owner.failed("a coroutine", error)
         return null
@@ -124,7 +124,7 @@ internal class Failure(private val owner: Owner, private val error: Throwable) :
 }
 
 /** Resumes coroutines on behalf of an owner, and after its end on behalf of its home. */
-internal class OwnerDispatcher(val owner: Owner) : CoroutineDispatcher(), Delay {
+internal class OwnerDispatcher(val owner: TurnOwner) : CoroutineDispatcher(), Delay {
     private val home: Home = owner.home()
 
     /**
@@ -176,10 +176,10 @@ internal class OwnerDispatcher(val owner: Owner) : CoroutineDispatcher(), Delay 
 
     override fun toString(): String = "dispatcher of $owner"
 
-    private inner class Resumption(private val context: CoroutineContext, private val block: Runnable) : Node() {
+    private inner class Resumption(private val context: CoroutineContext, private val block: Runnable) : QueueEntry() {
         private val carried = home.captureContext()
 
-        override fun serve(): Node? {
+        override fun serve(): QueueEntry? {
             if (!beginTurn()) {
                 home.beginForItself()
                 context.cancel(closed())

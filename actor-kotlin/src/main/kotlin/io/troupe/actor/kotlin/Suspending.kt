@@ -8,7 +8,7 @@ import io.troupe.actor.Promise
 import io.troupe.actor.SuspendingRequest
 import io.troupe.actor.internal.SuspendingCalls
 import io.troupe.actor.internal.loop.Home
-import io.troupe.actor.internal.loop.Owner
+import io.troupe.actor.internal.loop.TurnOwner
 import java.lang.invoke.MethodHandles
 import java.lang.invoke.VarHandle
 import java.util.concurrent.CancellationException
@@ -42,7 +42,7 @@ internal class Suspending : SuspendingCalls() {
 
     override fun unitValue(): Any = Unit
 
-    override fun start(request: SuspendingRequest<*>, implementation: Any, life: Owner): Promise<*> {
+    override fun start(request: SuspendingRequest<*>, implementation: Any, life: TurnOwner): Promise<*> {
         val call = SuspendedCall(life.scope())
         val outcome =
             try {

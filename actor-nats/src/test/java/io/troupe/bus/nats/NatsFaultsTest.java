@@ -212,7 +212,7 @@ class NatsFaultsTest extends NatsTest {
                     .hasMessageStartingWith(
                             "near/a asked far 2/port for spell: the server does not permit it to node near: ")
                     .hasMessageContaining("Publish to \"troupe.n.far%202\"");
-            assertThat(next(losses)).startsWith("question to far 2/port for spell from near/a");
+            assertThat(next(losses)).startsWith("request to far 2/port for spell from near/a");
             asker.send(to, SPELL, new Count(2));
             assertThat(next(losses)).startsWith("notice to far 2/port for spell from near/a");
         }

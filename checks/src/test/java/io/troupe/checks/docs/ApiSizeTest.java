@@ -121,8 +121,8 @@ class ApiSizeTest {
                 .hasSizeGreaterThan(5)
                 .allSatisfy(type -> assertThat(pages).doesNotContainKey(page(type)));
         var machinery =
-                Pattern.compile("followAtHome|enqueueAtHome|ActorCell|NodeQueue|TimerWheel|troupe\\$cell|settleValue"
-                        + "|/(Message|Request|Node|Owner|ActorProxy|Home|Recipient)\\.html");
+                Pattern.compile("followAtHome|enqueueAtHome|ActorCell|EntryQueue|TimerWheel|troupe\\$cell|settleValue"
+                        + "|/(Message|Request|QueueEntry|TurnOwner|ActorProxy|Home|Recipient)\\.html");
         assertThat(pages)
                 .hasSizeGreaterThan(30)
                 .allSatisfy((page, text) -> assertThat(

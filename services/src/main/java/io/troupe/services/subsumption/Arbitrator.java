@@ -143,7 +143,7 @@ public class Arbitrator extends Actor {
             failure.reject(error);
         } else if (changes == changesBefore) {
             failure.reject(new IllegalStateException("robot " + (robot + 1) + ": " + service + " has ended in state "
-                    + state.number() + " though nothing told it to"));
+                    + state.number() + " without having been stopped"));
         }
     }
 }

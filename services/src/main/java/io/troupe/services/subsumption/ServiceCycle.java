@@ -34,7 +34,7 @@ final class ServiceCycle {
     private final ServiceObserver observer;
     private double startSeconds = Double.NaN;
 
-    /** @param wheels receives the velocities, by custom {@code robot::drive} */
+    /** @param wheels receives the velocities, usually {@code robot::drive} */
     ServiceCycle(Service service, PlayerRobot robot, Consumer<Velocity> wheels, ServiceObserver observer) {
         this.service = service;
         this.robot = robot;

@@ -288,7 +288,7 @@ class ArbitratorTest extends RobotsBench {
         })));
         assertThat(test.error(arbitrator.failure()))
                 .isInstanceOf(IllegalStateException.class)
-                .hasMessage("robot 1: wallFollower has ended in state 1 though nothing told it to");
+                .hasMessage("robot 1: wallFollower has ended in state 1 without having been stopped");
     }
 
     // ---- a separate connection for each service, as in the paper, and what it costs

@@ -15,14 +15,14 @@ import org.jspecify.annotations.Nullable;
 public abstract class Home {
     private static final ThreadLocal<@Nullable Home> CURRENT = new ThreadLocal<>();
 
-    private final Owner outsider;
-    private final Owner self;
+    private final TurnOwner outsider;
+    private final TurnOwner self;
     private CurrentOwner turn;
 
-    @SuppressWarnings("this-escape") // owners only store the reference, and do not use it before the first node runs
+    @SuppressWarnings("this-escape") // owners only store the reference, and do not use it before the first entry runs
     protected Home() {
-        outsider = new Owner(this, true);
-        self = new Owner(this);
+        outsider = new TurnOwner(this, true);
+        self = new TurnOwner(this);
         turn = new CurrentOwner(self);
     }
 
@@ -65,17 +65,17 @@ public abstract class Home {
 
     // ---- queueing
 
-    /** Queues a node as a callback; first in, first out per sender. */
-    public abstract void enqueue(Node node);
+    /** Queues an entry as a callback; first in, first out per sender. */
+    public abstract void enqueue(QueueEntry node);
 
     /**
-     * Like {@link #enqueue} from another thread, even if called on this home's thread: the node goes behind those that
+     * Like {@link #enqueue} from another thread, even if called on this home's thread: the entry goes behind those that
      * other threads have queued.
      */
-    public abstract void enqueueAsRemote(Node node);
+    public abstract void enqueueAsRemote(QueueEntry node);
 
     /** Like {@link #enqueue}, called on this home's thread. */
-    public abstract void enqueueAtHome(Node node);
+    public abstract void enqueueAtHome(QueueEntry node);
 
     /** True if a callback that is queued now, on this home's thread, would run before everything else. */
     public boolean isNextCallbackFirst() {
@@ -108,10 +108,10 @@ public abstract class Home {
      *
      * @param promise a promise, which this package cannot name
      */
-    public abstract void rejected(Node promise, Throwable error);
+    public abstract void rejected(QueueEntry promise, Throwable error);
 
     /** Called when a promise was rejected after every listener had timed out. */
-    public void rejectedTooLate(Node promise, Throwable error) {
+    public void rejectedTooLate(QueueEntry promise, Throwable error) {
         rejected(promise, error);
     }
 
@@ -121,7 +121,7 @@ public abstract class Home {
      *
      * @param promise a promise, which this package cannot name
      */
-    public abstract void await(Node promise);
+    public abstract void await(QueueEntry promise);
 
     /** Called when a time limit that was set here has passed; by any thread. */
     public void limitExpired() {}
@@ -132,7 +132,7 @@ public abstract class Home {
     protected abstract void runGuarded(Runnable task);
 
     /** Sets the owner on whose behalf this home's thread now runs. */
-    public final void begin(Owner owner) {
+    public final void begin(TurnOwner owner) {
         CurrentOwner now = turn;
         if (now.owner != owner) {
             now.owner = owner;
@@ -154,23 +154,23 @@ public abstract class Home {
     }
 
     /** The owner on whose behalf this home's thread is running. */
-    public final Owner owner() {
+    public final TurnOwner owner() {
         CurrentOwner now = turn;
         return now.isKept ? keptOwner() : now.owner;
     }
 
     /** The owner of the message that the home keeps while it runs. */
-    protected Owner keptOwner() {
+    protected TurnOwner keptOwner() {
         return self;
     }
 
     /** The owner for work of the home itself. */
-    public final Owner itself() {
+    public final TurnOwner itself() {
         return self;
     }
 
     /** The owner for threads outside every home. */
-    public final Owner outsider() {
+    public final TurnOwner outsider() {
         return outsider;
     }
 
@@ -195,10 +195,10 @@ public abstract class Home {
      * at every message, so nothing that every turn writes belongs there.
      */
     private static final class CurrentOwner {
-        Owner owner;
+        TurnOwner owner;
         boolean isKept; // then the home's kept owner counts
 
-        CurrentOwner(Owner owner) {
+        CurrentOwner(TurnOwner owner) {
             this.owner = owner;
         }
     }

@@ -217,7 +217,7 @@ public record ApplicationPlan(
             BusTopic<?> at = open.remove();
             if (at.equals(wire.from())) {
                 throw new IllegalArgumentException(
-                        "over " + wire + " values would go round in a circle, expected wires that end somewhere");
+                        "over " + wire + " the wires form a cycle, expected wires that end somewhere");
             }
             others.stream()
                     .filter(other -> other.from().equals(at) && reached.add(other.to()))

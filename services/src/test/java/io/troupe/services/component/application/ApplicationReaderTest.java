@@ -167,7 +167,7 @@ class ApplicationReaderTest {
                 .hasMessageStartingWith(
                         "my.app:4:25: robot1/velocity is of Velocity, expected a topic of SonarReading as robot1/sonar is");
         assertThatThrownBy(() -> read(two + "connect robot2/velocity to robot1/velocity\n"))
-                .hasMessage("my.app:4:28: over robot2/velocity -> robot1/velocity values would go round in a circle,"
+                .hasMessage("my.app:4:28: over robot2/velocity -> robot1/velocity the wires form a cycle,"
                         + " expected wires that end somewhere");
         assertThatThrownBy(() -> read(two + "connect robot1/sonar to robot1/sonar\n"))
                 .hasMessageStartingWith("my.app:4:25: over robot1/sonar -> robot1/sonar values would go round");

@@ -4,28 +4,28 @@ import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs nodes without a home on one thread: one after the other, never nested. Used by that thread only. The thread of a
+ * Runs entries without a home on one thread: one after the other, never nested. Used by that thread only. The thread of a
  * space keeps one; on other threads it exists only while it runs, so that nothing of this library stays behind there.
  */
-public final class DetachedNodes {
-    /** A thread that keeps its detached nodes: an event loop. */
+public final class DetachedEntries {
+    /** A thread that keeps its detached entries: an event loop. */
     public interface Keeper {
-        DetachedNodes detachedNodes();
+        DetachedEntries detachedNodes();
     }
 
-    private final ArrayDeque<Node> waiting = new ArrayDeque<>(4);
+    private final ArrayDeque<QueueEntry> waiting = new ArrayDeque<>(4);
     private boolean running;
 
     /** Those of the calling thread if it keeps them, or null. */
-    public static @Nullable DetachedNodes kept() {
+    public static @Nullable DetachedEntries kept() {
         return Thread.currentThread() instanceof Keeper keeper ? keeper.detachedNodes() : null;
     }
 
     /**
-     * Runs a node, and those that it adds; at once, or after the one that is running. An error of a node does not keep
+     * Runs an entry, and those that it adds; at once, or after the one that is running. An error of an entry does not keep
      * the others from running; the first one is thrown at the end.
      */
-    public void run(Node node) {
+    public void run(QueueEntry node) {
         if (running) {
             waiting.add(node);
             return;
@@ -33,7 +33,7 @@ public final class DetachedNodes {
         running = true;
         Error first = null;
         try {
-            for (Node each = node; each != null; each = waiting.poll()) {
+            for (QueueEntry each = node; each != null; each = waiting.poll()) {
                 try {
                     runOne(each);
                 } catch (Error error) {
@@ -48,7 +48,7 @@ public final class DetachedNodes {
         }
     }
 
-    private static void runOne(Node node) {
+    private static void runOne(QueueEntry node) {
         try {
             node.serve(); // a listener, which returns none
         } catch (Throwable thrown) {

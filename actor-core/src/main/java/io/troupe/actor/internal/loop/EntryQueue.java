@@ -7,9 +7,9 @@ import org.jspecify.annotations.Nullable;
 
 /** The field written by the consumer. */
 abstract class QueueHead extends CacheLinePadding {
-    Node head = new Stub();
+    QueueEntry head = new Stub();
 
-    private static final class Stub extends Node {}
+    private static final class Stub extends QueueEntry {}
 }
 
 /** Padding between the consumer's field and the producers' field. */
@@ -27,11 +27,11 @@ abstract class QueueHeadPadding extends QueueHead {
 
 /** The field written by producers. */
 abstract class QueueTail extends QueueHeadPadding {
-    volatile Node tail = head;
+    volatile QueueEntry tail = head;
 }
 
 /**
- * An unbounded queue of nodes, from many threads to one.
+ * An unbounded queue of entries, from many threads to one.
  *
  * <p><b>Role.</b> A space's inbox. Internal to this library.
  *
@@ -43,16 +43,16 @@ abstract class QueueTail extends QueueHeadPadding {
  * <p><b>Cost.</b> One atomic exchange per offer, no allocation.
  */
 @SuppressWarnings("unused")
-public final class NodeQueue extends QueueTail {
+public final class EntryQueue extends QueueTail {
     /*
-     * A linked queue whose links are the nodes themselves. The node returned last stays in the queue as its stub, and
-     * must not be linked into anything else meanwhile. Its own link is cleared when the next node is taken, so that a
-     * retained node retains no other.
+     * A linked queue whose links are the entries themselves. The entry returned last stays in the queue as its stub, and
+     * must not be linked into anything else meanwhile. Its own link is cleared when the next entry is taken, so that a
+     * retained entry retains no other.
      */
     private static final VarHandle TAIL;
     private static final VarHandle NEXT;
 
-    private final Node idleStub = head; // the first stub: never offered, and used only while it is the head
+    private final QueueEntry idleStub = head; // the first stub: never offered, and used only while it is the head
 
     private byte r000, r001, r002, r003, r004, r005, r006, r007, r008, r009, r010, r011, r012, r013, r014, r015;
     private byte r016, r017, r018, r019, r020, r021, r022, r023, r024, r025, r026, r027, r028, r029, r030, r031;
@@ -66,60 +66,60 @@ public final class NodeQueue extends QueueTail {
     static {
         try {
             var lookup = MethodHandles.lookup();
-            TAIL = lookup.findVarHandle(QueueTail.class, "tail", Node.class);
-            NEXT = lookup.findVarHandle(Node.class, "next", Node.class);
+            TAIL = lookup.findVarHandle(QueueTail.class, "tail", QueueEntry.class);
+            NEXT = lookup.findVarHandle(QueueEntry.class, "next", QueueEntry.class);
         } catch (ReflectiveOperationException e) {
             throw new ExceptionInInitializerError(e);
         }
     }
 
     /**
-     * Appends a node that is in no queue. The atomic exchange is ordered before the caller's next read. If this throws
-     * (a stack overflow), the node was not appended.
+     * Appends an entry that is in no queue. The atomic exchange is ordered before the caller's next read. If this throws
+     * (a stack overflow), the entry was not appended.
      */
-    public void offer(Node node) {
+    public void offer(QueueEntry node) {
         node.next = null;
-        VarHandle.releaseFence(); // publishes the node's fields before the link below
-        var before = (Node) TAIL.getAndSet(this, node);
+        VarHandle.releaseFence(); // publishes the entry's fields before the link below
+        var before = (QueueEntry) TAIL.getAndSet(this, node);
         before.next = node; // no call here: a stack overflow between the exchange and this store would lose the link
     }
 
     /**
-     * Takes the oldest node. Returns null if there is none, or if its offer has not yet completed; {@link #isEmpty}
+     * Takes the oldest entry. Returns null if there is none, or if its offer has not yet completed; {@link #isEmpty}
      * distinguishes the two cases.
      */
-    public @Nullable Node poll() {
+    public @Nullable QueueEntry poll() {
         if (!isReadyAfter(head)) {
             return null;
         }
-        Node first = takeAfter(head);
+        QueueEntry first = takeAfter(head);
         head = first;
         return first;
     }
 
-    /** True if every node that was offered has been taken. */
+    /** True if every entry that was offered has been taken. */
     public boolean isEmpty() {
         return head == tail;
     }
 
-    /** The node that was offered last, or null if the queue is empty. */
-    public @Nullable Node newest() {
-        Node last = tail;
+    /** The entry that was offered last, or null if the queue is empty. */
+    public @Nullable QueueEntry newest() {
+        QueueEntry last = tail;
         return last == head ? null : last;
     }
 
     /**
-     * True if {@link #poll} would return a node; unlike {@link #isEmpty} it does not read the producers' cache line.
+     * True if {@link #poll} would return an entry; unlike {@link #isEmpty} it does not read the producers' cache line.
      */
     public boolean isReady() {
         return NEXT.getAcquire(head) != null;
     }
 
-    /** The number of queued nodes, without those offered during the call. Takes time proportional to the number. */
+    /** The number of queued entries, without those offered during the call. Takes time proportional to the number. */
     public int size() {
         int size = 0;
-        Node last = tail;
-        for (Node node = head; node != null && node != last; node = (Node) NEXT.getAcquire(node)) {
+        QueueEntry last = tail;
+        for (QueueEntry node = head; node != null && node != last; node = (QueueEntry) NEXT.getAcquire(node)) {
             size++;
         }
         return size;
@@ -129,13 +129,13 @@ public final class NodeQueue extends QueueTail {
      * The number of nodes ahead of this one, or -1 if it is not among the first {@code limit}. Takes time proportional
      * to the limit.
      */
-    public int indexOf(Node wanted, int limit) {
-        var node = (Node) NEXT.getAcquire(head);
+    public int indexOf(QueueEntry wanted, int limit) {
+        var node = (QueueEntry) NEXT.getAcquire(head);
         for (int index = 0; node != null && index < limit; index++) {
             if (node.carries(wanted)) {
                 return index;
             }
-            node = (Node) NEXT.getAcquire(node);
+            node = (QueueEntry) NEXT.getAcquire(node);
         }
         return -1;
     }
@@ -143,7 +143,7 @@ public final class NodeQueue extends QueueTail {
     /** True if more than {@code limit} nodes are queued. Takes time proportional to the limit. */
     public boolean isLongerThan(int limit) {
         int size = 0;
-        for (var node = (Node) NEXT.getAcquire(head); node != null; node = (Node) NEXT.getAcquire(node)) {
+        for (var node = (QueueEntry) NEXT.getAcquire(head); node != null; node = (QueueEntry) NEXT.getAcquire(node)) {
             if (++size > limit) {
                 return true;
             }
@@ -152,36 +152,36 @@ public final class NodeQueue extends QueueTail {
     }
 
     /**
-     * Begins a batch and returns the node taken last. A batch is a sequence of {@link #takeAfter} calls, each with the
-     * node that the call before returned, and one {@link #endBatch} with the last of them. It saves one store per node.
+     * Begins a batch and returns the entry taken last. A batch is a sequence of {@link #takeAfter} calls, each with the
+     * entry that the call before returned, and one {@link #endBatch} with the last of them. It saves one store per entry.
      */
-    public Node beginBatch() {
+    public QueueEntry beginBatch() {
         return head;
     }
 
-    /** True if there is a node behind the one taken last. */
-    public boolean isReadyAfter(Node last) {
+    /** True if there is an entry behind the one taken last. */
+    public boolean isReadyAfter(QueueEntry last) {
         return NEXT.getAcquire(last) != null;
     }
 
-    /** Takes the node behind the one taken last; requires {@link #isReadyAfter}. */
-    public Node takeAfter(Node last) {
-        Node first = Objects.requireNonNull(last.next);
+    /** Takes the entry behind the one taken last; requires {@link #isReadyAfter}. */
+    public QueueEntry takeAfter(QueueEntry last) {
+        QueueEntry first = Objects.requireNonNull(last.next);
         last.next = null;
         return first;
     }
 
-    public void endBatch(Node last) {
+    public void endBatch(QueueEntry last) {
         if (head != last) {
             head = last;
         }
     }
 
-    /** Releases the node that was taken last, if the queue is empty; called when the consumer is idle. */
+    /** Releases the entry that was taken last, if the queue is empty; called when the consumer is idle. */
     public void forgetLast() {
-        Node last = head;
+        QueueEntry last = head;
         if (last != idleStub && last == tail && TAIL.compareAndSet(this, last, idleStub)) {
-            head = idleStub; // its link is null: the node behind it was taken
+            head = idleStub; // its link is null: the entry behind it was taken
         }
     }
 }

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> {@link #end}, {@link #endAttachment} and {@link #failed} on the home's thread, the rest on any
  * thread.
  */
-public class Owner {
+public class TurnOwner {
     private final Home home;
     private final boolean outside;
     private volatile boolean over;
@@ -19,11 +19,11 @@ public class Owner {
     private volatile @Nullable Attachment attachment; // written under this; most owners have none
     private boolean attachmentEnded; // guarded by this
 
-    protected Owner(Home home) {
+    protected TurnOwner(Home home) {
         this(home, false);
     }
 
-    Owner(Home home, boolean outside) {
+    TurnOwner(Home home, boolean outside) {
         this.home = home;
         this.outside = outside;
     }
@@ -53,7 +53,7 @@ public class Owner {
     }
 
     /** Removes and returns the request that has begun first of those that are not settled, or null. */
-    protected final @Nullable Node takeOpenRequest() {
+    protected final @Nullable QueueEntry takeOpenRequest() {
         OpenRequests known;
         synchronized (this) {
             known = openRequests;
@@ -64,12 +64,12 @@ public class Owner {
     /**
      * What was attached to this owner, created if there is nothing yet; ended immediately after {@link #endAttachment}.
      */
-    public final Attachment attachment(Function<? super Owner, ? extends Attachment> create) {
+    public final Attachment attachment(Function<? super TurnOwner, ? extends Attachment> create) {
         Attachment known = attachment;
         return known == null ? attach(create) : known;
     }
 
-    private synchronized Attachment attach(Function<? super Owner, ? extends Attachment> create) {
+    private synchronized Attachment attach(Function<? super TurnOwner, ? extends Attachment> create) {
         Attachment known = attachment;
         if (known == null) {
             known = create.apply(this);
@@ -105,7 +105,7 @@ public class Owner {
 
     /** Reports a failure of work that was done on behalf of this owner. */
     public void failed(String what, Throwable error) {
-        throw Nodes.rethrow(error);
+        throw QueueEntries.rethrow(error);
     }
 
     /** Called when a listener of this owner has thrown; true if that was reported as a failure of the owner. */
@@ -128,6 +128,6 @@ public class Owner {
     public interface OpenRequests {
         /** Removes and returns the request that has begun first, or null. */
         @Nullable
-        Node takeOldest();
+        QueueEntry takeOldest();
     }
 }
