@@ -44,6 +44,12 @@ class ActorServicesOverHostsTest extends HostsBench {
                     .actor();
             assertThat(get(parrot.say("hi"))).as(name).contains("hi");
         }
+        get(near.services.publish(test.space(), Parrot.class, "caller-2", List.of(), () -> near.parrot("own")));
+        test.runQueued();
+        var beside = far.services
+                .connect(Parrot.class, Need.ofService("guest", "caller-2"))
+                .actor();
+        assertThat(get(beside.say("hi"))).isEqualTo("own: hi");
     }
 
     @Test
