@@ -1,9 +1,9 @@
 package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
-import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.actor.internal.loop.EntryQueue;
 import io.troupe.actor.internal.loop.QueueEntries;
+import io.troupe.actor.internal.loop.QueueEntry;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.actor.internal.loop.EntryQueue;
+import io.troupe.actor.internal.loop.QueueEntry;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.Objects;
@@ -52,7 +52,9 @@ final class EntryRing {
         tail = place + 1;
     }
 
-    /** Makes room for an entry; if there is no memory for that, the entry goes to where it needs none, or this throws. */
+    /**
+     * Makes room for an entry; if there is no memory for that, the entry goes to where it needs none, or this throws.
+     */
     private boolean makesRoomFor(QueueEntry node) {
         try {
             makeRoom();
@@ -163,8 +165,8 @@ final class EntryRing {
     }
 
     /**
-     * Replaces the array if the ring holds few entries. Called periodically: storing a reference to a young entry into an
-     * array of the old generation costs a fence under G1 (until JEP 522, JDK 26), which is more than the rest of
+     * Replaces the array if the ring holds few entries. Called periodically: storing a reference to a young entry into
+     * an array of the old generation costs a fence under G1 (until JEP 522, JDK 26), which is more than the rest of
      * queueing.
      */
     void renew() {

@@ -2,8 +2,8 @@ package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.DetachedEntries;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.actor.internal.loop.QueueEntries;
+import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.actor.internal.loop.TurnOwner;
 import java.time.Duration;
 import java.util.ArrayList;

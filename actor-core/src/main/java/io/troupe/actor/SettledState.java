@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.actor.internal.loop.QueueEntries;
+import io.troupe.actor.internal.loop.QueueEntry;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;

@@ -1,10 +1,10 @@
 package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
-import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.actor.internal.loop.EntryQueue;
+import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.QueueEntries;
+import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.actor.internal.loop.TurnOwner;
 import java.util.Objects;
 import java.util.function.Supplier;

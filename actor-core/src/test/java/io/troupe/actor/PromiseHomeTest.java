@@ -4,9 +4,9 @@ import static io.troupe.actor.Concurrently.onAnotherThread;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.internal.loop.EntryQueue;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.QueueEntry;
-import io.troupe.actor.internal.loop.EntryQueue;
 import java.io.IOException;
 import java.lang.ref.WeakReference;
 import java.time.Duration;

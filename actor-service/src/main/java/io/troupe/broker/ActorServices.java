@@ -50,7 +50,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ActorServices {
     /** The exchange of offers with other processes; from any thread. */
-    interface Exchange extends RemoteActors.Doubts {
+    interface Exchange extends RemoteActors.UndeliveredCalls {
         Promise<List<ServiceOffer>> offers(Duration limit);
     }
 
@@ -81,7 +81,7 @@ public final class ActorServices {
     void exchangeBy(OfferMessages messages, Exchange newExchange) {
         callerName = messages.caller;
         exchange = newExchange;
-        others.setOnDoubt(newExchange);
+        others.setOnCheck(newExchange);
     }
 
     LocalActors actors() {
@@ -214,8 +214,8 @@ public final class ActorServices {
     }
 
     /** A call could not be delivered to an actor of another process. */
-    void doubt(RemoteActor actor) {
-        others.doubt(actor);
+    void checkNow(RemoteActor actor) {
+        others.checkNow(actor);
     }
 
     /** The name of a service is a part of its address; numbers and the names of our ports have other characters. */

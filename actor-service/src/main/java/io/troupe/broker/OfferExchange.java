@@ -384,12 +384,12 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
     }
 
     @Override
-    public void doubt(RemoteActor actor) {
+    public void checkNow(RemoteActor actor) {
         Peer peer = peers.get(actor.address().node());
         if (peer != null) {
             peer.offered.values().stream()
                     .filter(provider -> provider.uses(actor))
-                    .forEach(OfferedProvider::doubt);
+                    .forEach(OfferedProvider::checkNow);
         }
     }
 

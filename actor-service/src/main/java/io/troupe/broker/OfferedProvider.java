@@ -45,7 +45,7 @@ final class OfferedProvider implements Provider {
     private OfferMessages.Offer offer;
     private boolean silent;
     private boolean withdrawn;
-    private boolean doubted;
+    private boolean isCheckPending;
     private boolean mayBeTried; // although it has failed
     private @Nullable Use use;
 
@@ -249,14 +249,14 @@ final class OfferedProvider implements Provider {
     }
 
     /** A call could not be delivered: checks it now, rather than with the next check. */
-    void doubt() {
+    void checkNow() {
         Use used = use;
-        if (used == null || doubted) {
+        if (used == null || isCheckPending) {
             return;
         }
-        doubted = true;
+        isCheckPending = true;
         check().onSettled((well, error) -> {
-            doubted = false;
+            isCheckPending = false;
             if (use == used && error instanceof ProviderException failed && !failed.mayHaveRun()) {
                 end(used, failed);
             }

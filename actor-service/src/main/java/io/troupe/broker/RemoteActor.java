@@ -67,7 +67,8 @@ final class RemoteActor extends RunningActor {
 
     @Override
     @Nullable
-    Promise<?> send(Class<?> type, QueueEntry call, RemoteCaller remote, @Nullable Duration limit) throws NotSentException {
+    Promise<?> send(Class<?> type, QueueEntry call, RemoteCaller remote, @Nullable Duration limit)
+            throws NotSentException {
         CallableMethods.CallableMethod method = method(type, call);
         if (!methods.contains(method.name)) { // a default method, which its interface there need not have
             throw new NotSentException(new ProviderException(

@@ -9,21 +9,21 @@ import org.jspecify.annotations.Nullable;
 /** The actors of other processes that the broker has started and uses, by address. Used from any thread. */
 final class RemoteActors {
     /** Receives the actors to which a call could not be delivered. */
-    interface Doubts {
-        void doubt(RemoteActor actor);
+    interface UndeliveredCalls {
+        void checkNow(RemoteActor actor);
     }
 
     private final CallableInterfaces interfaces;
     private final Map<Address, RemoteActor> running = new ConcurrentHashMap<>();
-    private volatile Doubts onDoubt = actor -> {};
+    private volatile UndeliveredCalls onCheck = actor -> {};
 
     RemoteActors(CallableInterfaces interfaces) {
         this.interfaces = interfaces;
     }
 
     /** @param listener is called from any thread */
-    void setOnDoubt(Doubts listener) {
-        onDoubt = listener;
+    void setOnCheck(UndeliveredCalls listener) {
+        onCheck = listener;
     }
 
     /** An actor runs, and can be called. */
@@ -43,7 +43,7 @@ final class RemoteActors {
         return running.get(address);
     }
 
-    void doubt(RemoteActor actor) {
-        onDoubt.doubt(actor);
+    void checkNow(RemoteActor actor) {
+        onCheck.checkNow(actor);
     }
 }

@@ -34,7 +34,8 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
     private final Need need;
     private final ConnectionSettings settings;
     private final Deferred<ServiceRecord> first;
-    private final LinkedHashMap<QueueEntry, PendingCall> waiting = new LinkedHashMap<>(); // in the order of their arrival
+    private final LinkedHashMap<QueueEntry, PendingCall> waiting =
+            new LinkedHashMap<>(); // in the order of their arrival
     private final Map<QueueEntry, PendingCall> underWay = new LinkedHashMap<>();
     private @Nullable RunningActor current;
     private @Nullable IllegalArgumentException mismatch;
@@ -260,11 +261,11 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
             case BusTimeoutException timeout -> call.reject(overdue(call, timeout));
             case BusException lost
             when lost.mayHaveRun() -> {
-                services.doubt(far);
+                services.checkNow(far);
                 call.reject(far.hasEnded() ? ended(call, lost) : unanswered(call, lost));
             }
             case BusException undelivered -> {
-                services.doubt(far);
+                services.checkNow(far);
                 call.reject(notSent(call, "was not delivered: " + Reasons.of(undelivered)));
             }
             default -> call.reject(error);

@@ -5,8 +5,8 @@ import io.troupe.actor.LibraryAccess;
 import io.troupe.actor.Promise;
 import io.troupe.actor.internal.BoundedQueue;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.TurnOwner;
 import io.troupe.actor.internal.loop.OwnerTask;
+import io.troupe.actor.internal.loop.TurnOwner;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 

@@ -190,7 +190,8 @@ class ActorServicesTest extends BrokerBench {
         test.space().stop(proxy);
         test.runQueued();
         assertThat(health("parrot#2")).isEqualTo(Health.FAILED);
-        assertThat(missing(broker.require(PARROT))).contains("has stopped; this broker did not spawn it and cannot restart it");
+        assertThat(missing(broker.require(PARROT)))
+                .contains("has stopped; this broker did not spawn it and cannot restart it");
     }
 
     @Test

@@ -217,8 +217,7 @@ class BusContractTest extends BusContract {
                 .endsWith(
                         bytes
                                 ? "cannot " + unreadable
-                                : "the request is a " + Text.class.getName() + ", expected a "
-                                        + Count.class.getName());
+                                : "the request is a " + Text.class.getName() + ", expected a " + Count.class.getName());
         assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
         var toCount = new Operation<>("spell", Count.class, Count.class, Operation.Kind.DATA);
         assertThat(refusalOf(asker.ask(speller, toCount, new Count(7), SECOND)))
@@ -647,7 +646,8 @@ class BusContractTest extends BusContract {
                 .hasMessage(asker.address() + " cannot publish on counts: it has left the bus");
         assertThatThrownBy(() -> asker.subscribe(COUNTS, (count, from) -> {})).isInstanceOf(BusException.class);
         assertThatThrownBy(() -> asker.answer(SPELL, BusContract::spelt)).isInstanceOf(BusException.class);
-        assertThat(refusalOf(ask(asker, asker, 1))).endsWith("the port of the requester was closed: it has left the bus");
+        assertThat(refusalOf(ask(asker, asker, 1)))
+                .endsWith("the port of the requester was closed: it has left the bus");
     }
 
     @Test

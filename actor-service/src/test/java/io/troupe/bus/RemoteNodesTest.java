@@ -450,8 +450,7 @@ class RemoteNodesTest {
         var purpose = new Purpose.Request(new Address("near", "$bus"), "time");
         arrives(farFrames.request(new BusMessage.Data(FAR, purpose, 9, FirstContacts.NOTHING), purpose, 0, false));
         assertThat(engine.takeSent("far"))
-                .containsExactly(
-                        "reply far: Replied[purpose=reply to far/b for time, kind=CONTROL, toIncarnation=77]");
+                .containsExactly("reply far: Replied[purpose=reply to far/b for time, kind=CONTROL, toIncarnation=77]");
     }
 
     @Test
@@ -614,8 +613,7 @@ class RemoteNodesTest {
                 .isInstanceOf(BusException.class)
                 .hasMessage("near/a asked far/b for spell: no such node");
         assertThat(take(losses))
-                .containsExactly(
-                        "request to far/b for spell from near/a (number 1) cannot be delivered: no such node");
+                .containsExactly("request to far/b for spell from near/a (number 1) cannot be delivered: no such node");
         assertThat(engine.takeSent("far")).as("no cancellation").hasSize(1);
     }
 

@@ -1,9 +1,9 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.actor.internal.loop.EntryQueue;
+import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.QueueEntries;
+import io.troupe.actor.internal.loop.QueueEntry;
 import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 import org.openjdk.jcstress.annotations.Actor;

@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.actor.internal.loop.EntryQueue;
+import io.troupe.actor.internal.loop.QueueEntry;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;
@@ -32,7 +32,13 @@ public class SleepAgainstWake {
     private static final ActorSpace SPACE = ActorSpace.create(SETTINGS);
 
     private final Dispatcher dispatcher = new Dispatcher(
-            SPACE.home, new EntryQueue(), new EntryQueue(), new EntryRing(), new EntryRing(), NO_TIMERS, Clock.system());
+            SPACE.home,
+            new EntryQueue(),
+            new EntryQueue(),
+            new EntryRing(),
+            new EntryRing(),
+            NO_TIMERS,
+            Clock.system());
     private final IdleStrategy lifeline = new IdleStrategy();
 
     @Actor

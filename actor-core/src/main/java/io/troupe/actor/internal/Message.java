@@ -1,9 +1,9 @@
 package io.troupe.actor.internal;
 
 import io.troupe.actor.Request;
+import io.troupe.actor.internal.loop.PlainText;
 import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.actor.internal.loop.TurnOwner;
-import io.troupe.actor.internal.loop.PlainText;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;

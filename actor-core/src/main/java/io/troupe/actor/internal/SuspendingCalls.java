@@ -131,5 +131,6 @@ public abstract class SuspendingCalls {
      * @param life the incarnation of the actor
      * @return settled with the outcome of the function
      */
-    public abstract Promise<?> start(SuspendingRequest<?> request, Object implementation, TurnOwner life) throws Throwable;
+    public abstract Promise<?> start(SuspendingRequest<?> request, Object implementation, TurnOwner life)
+            throws Throwable;
 }

@@ -162,8 +162,9 @@ final class TableChecks {
                     if (layer + 1 < layers.size() && upper.neverYields()) {
                         return new Finding(
                                 new Subject.OfState(state.colour()),
-                                "the layers '" + service + "' never come to " + layers.get(layer + 1) + ", because "
-                                        + upper + " always drives: expected it at the bottom");
+                                "the layer " + layers.get(layer + 1) + " of '" + service
+                                        + "' is never reached, because " + upper
+                                        + " always drives: expected it at the bottom");
                     }
                 }
             }

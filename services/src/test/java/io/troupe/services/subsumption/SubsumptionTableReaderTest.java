@@ -232,7 +232,7 @@ class SubsumptionTableReaderTest {
                 "robots 1/service a = avoid/state red : spaceWanderer | 2:9: the service a is declared and in charge of no robot in any state",
                 "robots 1/state red : spaceWanderer/state blue : avoid | 3:7: state 2 (blue) can be reached and never ends",
                 "robots 1/allow final/state red : avoid/state blue : avoid | 4:7: state 2 (blue) never begins, because no robot in state 1 (red)",
-                "robots 1/state red : spaceWanderer > avoid | 2:7: the layers 'spaceWanderer > avoid' never come to avoid, because spaceWanderer always drives",
+                "robots 1/state red : spaceWanderer > avoid | 2:7: the layer avoid of 'spaceWanderer > avoid' is never reached, because spaceWanderer always drives",
                 "robots 1/state red : avoid > avoid > spaceWanderer | 2:7: the layers 'avoid > avoid > spaceWanderer' name avoid twice",
             })
     void mistakesOfTheWholeTable_areReportedWhereTheyWereWritten(String lines, String message) {

@@ -4,8 +4,8 @@ import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs entries without a home on one thread: one after the other, never nested. Used by that thread only. The thread of a
- * space keeps one; on other threads it exists only while it runs, so that nothing of this library stays behind there.
+ * Runs entries without a home on one thread: one after the other, never nested. Used by that thread only. The thread of
+ * a space keeps one; on other threads it exists only while it runs, so that nothing of this library stays behind there.
  */
 public final class DetachedEntries {
     /** A thread that keeps its detached entries: an event loop. */
@@ -22,8 +22,8 @@ public final class DetachedEntries {
     }
 
     /**
-     * Runs an entry, and those that it adds; at once, or after the one that is running. An error of an entry does not keep
-     * the others from running; the first one is thrown at the end.
+     * Runs an entry, and those that it adds; at once, or after the one that is running. An error of an entry does not
+     * keep the others from running; the first one is thrown at the end.
      */
     public void run(QueueEntry node) {
         if (running) {

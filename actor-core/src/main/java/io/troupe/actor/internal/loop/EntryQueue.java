@@ -45,9 +45,9 @@ abstract class QueueTail extends QueueHeadPadding {
 @SuppressWarnings("unused")
 public final class EntryQueue extends QueueTail {
     /*
-     * A linked queue whose links are the entries themselves. The entry returned last stays in the queue as its stub, and
-     * must not be linked into anything else meanwhile. Its own link is cleared when the next entry is taken, so that a
-     * retained entry retains no other.
+     * A linked queue whose links are the entries themselves. The entry returned last stays in the queue as its stub,
+     * and must not be linked into anything else meanwhile. Its own link is cleared when the next entry is taken, so
+     * that a retained entry retains no other.
      */
     private static final VarHandle TAIL;
     private static final VarHandle NEXT;
@@ -74,8 +74,8 @@ public final class EntryQueue extends QueueTail {
     }
 
     /**
-     * Appends an entry that is in no queue. The atomic exchange is ordered before the caller's next read. If this throws
-     * (a stack overflow), the entry was not appended.
+     * Appends an entry that is in no queue. The atomic exchange is ordered before the caller's next read. If this
+     * throws (a stack overflow), the entry was not appended.
      */
     public void offer(QueueEntry node) {
         node.next = null;
@@ -153,7 +153,8 @@ public final class EntryQueue extends QueueTail {
 
     /**
      * Begins a batch and returns the entry taken last. A batch is a sequence of {@link #takeAfter} calls, each with the
-     * entry that the call before returned, and one {@link #endBatch} with the last of them. It saves one store per entry.
+     * entry that the call before returned, and one {@link #endBatch} with the last of them. It saves one store per
+     * entry.
      */
     public QueueEntry beginBatch() {
         return head;

@@ -5,8 +5,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * An entry of a {@link Home}'s queues. Internal to this library.
  *
- * <p><b>Role.</b> Messages, requests and listeners are entries, so queueing one allocates nothing. A promise is an entry,
- * so nothing here is public: the library uses {@link QueueEntries}.
+ * <p><b>Role.</b> Messages, requests and listeners are entries, so queueing one allocates nothing. A promise is an
+ * entry, so nothing here is public: the library uses {@link QueueEntries}.
  */
 public abstract class QueueEntry {
     /** Link to another entry; owned by the queue, or by the promise, that currently holds this entry. */

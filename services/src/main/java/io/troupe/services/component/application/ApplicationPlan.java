@@ -217,7 +217,7 @@ public record ApplicationPlan(
             BusTopic<?> at = open.remove();
             if (at.equals(wire.from())) {
                 throw new IllegalArgumentException(
-                        "over " + wire + " the wires form a cycle, expected wires that end somewhere");
+                        "the wire " + wire + " closes a cycle, expected wires that end somewhere");
             }
             others.stream()
                     .filter(other -> other.from().equals(at) && reached.add(other.to()))

@@ -167,10 +167,10 @@ class ApplicationReaderTest {
                 .hasMessageStartingWith(
                         "my.app:4:25: robot1/velocity is of Velocity, expected a topic of SonarReading as robot1/sonar is");
         assertThatThrownBy(() -> read(two + "connect robot2/velocity to robot1/velocity\n"))
-                .hasMessage("my.app:4:28: over robot2/velocity -> robot1/velocity the wires form a cycle,"
-                        + " expected wires that end somewhere");
+                .hasMessage("my.app:4:28: the wire robot2/velocity -> robot1/velocity closes a cycle, expected"
+                        + " wires that end somewhere");
         assertThatThrownBy(() -> read(two + "connect robot1/sonar to robot1/sonar\n"))
-                .hasMessageStartingWith("my.app:4:25: over robot1/sonar -> robot1/sonar values would go round");
+                .hasMessageStartingWith("my.app:4:25: the wire robot1/sonar -> robot1/sonar closes a cycle");
         assertThatThrownBy(() -> read(two + "connect robot1/velocity to robot2/velocity\n"))
                 .hasMessage("my.app:4:28: robot1/velocity -> robot2/velocity is there already, expected it once");
     }

@@ -184,7 +184,7 @@ class ApplicationTest extends ComponentBench {
             value = {
                 "robot1 needs service idling | robot1/velocity would be fed twice, because robot1 needs wallFollower and because robot1 needs idling, expected once",
                 "connect idle/velocity to robot1/velocity | robot1/velocity would be fed twice, because idle/velocity -> robot1/velocity is declared and because robot1 needs wallFollower, expected once",
-                "connect robot1/velocity to follower/velocity | over follower/velocity -> robot1/velocity the wires form a cycle, expected wires that end somewhere"
+                "connect robot1/velocity to follower/velocity | the wire follower/velocity -> robot1/velocity closes a cycle, expected wires that end somewhere"
             })
     void twoThatWouldDriveOneRobot_orValuesInACircle_endTheApplication(String line, String message) {
         start(plan(TWO_ROBOTS + line + "\n"));
