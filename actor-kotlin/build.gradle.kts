@@ -38,4 +38,11 @@ tasks.register<JavaExec>("costs") {
 
 tasks.named<Jar>("javadocJar") { from("README.md") } // which says where the KDoc is
 
-tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.actor.kotlin") } }
+// the descriptor of the module names classes of Kotlin
+tasks.compileJava {
+    val kotlinClasses = tasks.compileKotlin.flatMap { it.destinationDirectory }
+    inputs.dir(kotlinClasses).withPathSensitivity(PathSensitivity.RELATIVE)
+    options.compilerArgumentProviders.add(CommandLineArgumentProvider {
+        listOf("--patch-module", "io.troupe.actor.kotlin=${kotlinClasses.get().asFile}")
+    })
+}

@@ -36,7 +36,7 @@ class PublicApiTest {
         val folder = Path.of(FlowBuffer::class.java.protectionDomain.codeSource.location.toURI())
         return folder.walk()
             .map { folder.relativize(it).toString() }
-            .filter { it.endsWith(".class") }
+            .filter { it.endsWith(".class") && it != "module-info.class" }
             .map { Class.forName(it.removeSuffix(".class").replace('/', '.').replace('\\', '.')) }
             .filter { isPublic(it) && !it.isSynthetic && it.name.split('$', '.').none(internals::contains) }
             .sortedBy { it.name }
