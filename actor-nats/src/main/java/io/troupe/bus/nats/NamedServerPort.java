@@ -30,7 +30,6 @@ import org.jspecify.annotations.Nullable;
  * address that was not configured, one of the configured names counts.
  *
  * @hidden public because the client makes an instance by the name of the class
- * @hidden
  */
 public final class NamedServerPort extends SocketDataPort {
     private static final int DNS_NAME = 2;
