@@ -277,19 +277,23 @@ public final class Broker implements AutoCloseable {
 
     /**
      * Like {@link #closeAsync}, and waits until that is done: for threads outside every space. On the thread of a space
-     * it does not wait. The observer is notified of providers that did not stop.
+     * it does not wait. The observer is notified of providers that did not stop. It ends in bounded time: each provider
+     * may take the limits of the settings for a start that is under way and for its stop.
      *
-     * @throws ProviderException if that takes longer than the limits of the settings allow for one provider that does
-     *     not stop; it goes on
+     * @throws ProviderException if it takes longer than all these limits together; it goes on
      */
     @Override
     public void close() {
+        var started = registered().thenApply(List::size).exceptionally(closed -> 0); // before it closes
         Promise<?> closed = closeAsync().handle((left, error) -> true); // left ones are events
-        Duration limit = settings.notifyLimit().plus(settings.stopLimit().multipliedBy(2));
         if (ActorSpace.current() != null) {
             return;
         }
+        // each: a start that is under way, the stop after it has failed, and the stop of the broker
+        Duration each = settings.startLimit().plus(settings.stopLimit().multipliedBy(2));
+        Duration limit = settings.notifyLimit().plus(each);
         try {
+            limit = settings.notifyLimit().plus(each.multipliedBy(Math.max(1, started.get(each))));
             closed.get(limit);
         } catch (TimeoutException late) {
             throw new ProviderException("the broker has not been closed within " + limit + "; it goes on", late);

@@ -24,7 +24,8 @@ class BrokerActor extends Actor {
     private final ConnectedClients clients;
     private @Nullable Promise<List<ServiceRecord>> shutDown;
     private Runnable changed = () -> {};
-    private final Map<Address, OfferedProvider> elsewhere = new HashMap<>(); // all that other processes offer
+    private final Map<Address, Offer> elsewhere = new HashMap<>(); // all that other processes offer
+    private final Map<Address, Place> places = new HashMap<>(); // after replacements by offered providers
 
     BrokerActor(ActorSpace space, BrokerSettings settings) {
         var timeouts = new Timeouts((delay, task) -> context().after(delay, task));
@@ -82,27 +83,49 @@ class BrokerActor extends Actor {
             Address old, String service, List<String> capabilities, Address address) {
         checkOpen();
         registry.known(old).checkNotBeingReplaced();
-        OfferedProvider provider = elsewhere.get(address);
-        if (provider == null) {
+        Offer offer = elsewhere.get(address);
+        if (offer == null) {
             throw new IllegalArgumentException(
                     "no other process offers " + address + "; offered: " + elsewhere.keySet());
         }
         ManagedProvider idle =
                 registry.at(address).filter(each -> !each.address.equals(old)).orElse(null);
-        if (idle == null) {
-            return replace(old, service, capabilities, address, ManagedProvider.Source.of(provider));
+        if (idle != null) {
+            if (idle.isInUse()) {
+                throw new IllegalArgumentException(address + " is in use, expected a provider that is not");
+            }
+            idle.checkNotBeingReplaced();
+            registry.drop(idle);
         }
-        if (idle.isInUse()) {
-            throw new IllegalArgumentException(address + " is in use, expected a provider that is not");
-        }
-        registry.drop(idle);
-        return replace(old, service, capabilities, address, ManagedProvider.Source.of(provider))
+        Place oldPlace = places.put(old, Place.NONE);
+        Place newPlace = places.put(address, new Place(service, capabilities));
+        return replace(old, service, capabilities, address, ManagedProvider.Source.of(offer.provider))
                 .exceptionallyCompose(error -> {
-                    if (!context.isClosing() && elsewhere.get(address) == provider) {
+                    putBack(old, oldPlace);
+                    putBack(address, newPlace);
+                    if (idle != null && !context.isClosing() && elsewhere.get(address) == offer) {
                         registry.add(idle);
+                    } else {
+                        registerOffered(address); // the process has restarted meanwhile
                     }
                     return Promise.failed(error);
                 });
+    }
+
+    private void putBack(Address address, @Nullable Place place) {
+        if (place == null) {
+            places.remove(address);
+        } else {
+            places.put(address, place);
+        }
+    }
+
+    /** What another process offers. */
+    private record Offer(String service, List<String> capabilities, OfferedProvider provider) {}
+
+    /** The service that a provider of another process has here since a replacement, also after its restarts. */
+    private record Place(String service, List<String> capabilities) {
+        static final Place NONE = new Place("", List.of()); // it was replaced
     }
 
     private Promise<@Nullable Void> takeOver(ManagedProvider before, ManagedProvider by) {
@@ -217,15 +240,24 @@ class BrokerActor extends Actor {
 
     /** Another process offers a provider. One that this process has registered itself at that address counts more. */
     public void offer(String service, List<String> capabilities, OfferedProvider provider) {
-        elsewhere.put(provider.address(), provider);
-        if (!context.isClosing() && registry.isFree(provider.address())) {
-            register(service, capabilities, provider.address(), ManagedProvider.Source.of(provider));
+        elsewhere.put(provider.address(), new Offer(service, capabilities, provider));
+        registerOffered(provider.address());
+    }
+
+    private void registerOffered(Address address) {
+        Offer offer = elsewhere.get(address);
+        if (offer == null || context.isClosing() || !registry.isFree(address)) {
+            return;
+        }
+        Place place = places.getOrDefault(address, new Place(offer.service, offer.capabilities));
+        if (place != Place.NONE) {
+            register(place.service, place.capabilities, address, ManagedProvider.Source.of(offer.provider));
         }
     }
 
     /** Another process does not offer a provider any more. */
     public void withdrawOffered(OfferedProvider provider) {
-        elsewhere.remove(provider.address(), provider);
+        elsewhere.computeIfPresent(provider.address(), (address, offer) -> offer.provider == provider ? null : offer);
         registry.of(provider)
                 .filter(each -> !context.isClosing())
                 .ifPresent(each -> withdraw(each.address).onRejected(error -> {}));

@@ -456,7 +456,7 @@ final class ManagedProvider {
 
     private static Promise<?> whenEnded(Life begun) {
         try {
-            return begun.instance.provider.whenEnded();
+            return Objects.requireNonNull(begun.instance.provider.whenEnded(), "whenEnded() returned null");
         } catch (RuntimeException | Error thrown) { // exception from a provider
             return Promise.failed(thrown);
         }
@@ -654,6 +654,9 @@ final class ManagedProvider {
     private void hasStopped(Instance instance) {
         unstopped.remove(instance);
         setMayRun(instance, false);
+        if (gone != null && gone.isDone() && mayRun.isEmpty()) { // it left before all of it had been stopped
+            context.listener.onGone(this);
+        }
     }
 
     private void stopsCompleted() {

@@ -287,8 +287,8 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
 
     private ServiceCallException overdue(PendingCall call, @Nullable Throwable cause) {
         return new ServiceCallException(
-                call.receiver() + " did not answer " + call + " to \"" + need.by() + "\" within "
-                        + settings.answerLimit(),
+                call.receiver() + " did not answer " + call + " to \"" + need.by() + "\" "
+                        + (settings.answerLimit() == null ? "in time" : "within " + settings.answerLimit()),
                 true,
                 cause);
     }

@@ -224,7 +224,7 @@ public final class Bus implements AutoCloseable {
         counters.published.increment();
         var message = new BusMessage.Data(from.address(), new Purpose.Publication(topic.name()), nextNumber(), payload);
         notifier.passed(message);
-        long nowNanos = topic.maxAge() != null || agesMatter(topic.name()) ? nanos() : 0;
+        long nowNanos = topic.maxAge() != null || agesMatter(topic.name()) ? nanos() : MessageDelivery.NOT_NOTED;
         deliver(new MessageDelivery(message, incarnation, nowNanos, ageNanos, Long.MAX_VALUE));
         if (others != null) {
             try {
@@ -442,7 +442,7 @@ public final class Bus implements AutoCloseable {
     }
 
     private MessageDelivery within(BusMessage message, boolean timed) {
-        return MessageDelivery.within(message, incarnation, timed ? nanos() : 0);
+        return MessageDelivery.within(message, incarnation, timed ? nanos() : MessageDelivery.NOT_NOTED);
     }
 
     /** A message from another node has arrived. */

@@ -6,7 +6,8 @@ import java.time.Duration;
  * A message on its way to a port, and what is known of its way so far.
  *
  * @param incarnation the life of the node that sent it
- * @param arrivedNanos when this node got it, by the clock of its space; 0 if neither age nor limit matter
+ * @param arrivedNanos when this node got it, by the clock of its space; {@link #NOT_NOTED} if neither age nor limit
+ *     matter
  * @param ageNanos how long it had been on its way then, with the ways of a forwarded value before
  * @param limitNanos how long after its arrival the requester waits for a reply; {@link Long#MAX_VALUE} if that is not
  *     limited, or known otherwise
@@ -19,6 +20,9 @@ record MessageDelivery(
         long ageNanos,
         long limitNanos,
         boolean isLimitShared) {
+    /** The time of arrival of a message for which it does not matter: reading the clock costs time. */
+    static final long NOT_NOTED = Long.MIN_VALUE;
+
     MessageDelivery(BusMessage message, long incarnation, long arrivedNanos, long ageNanos, long limitNanos) {
         this(message, incarnation, arrivedNanos, ageNanos, limitNanos, false);
     }
@@ -34,12 +38,14 @@ record MessageDelivery(
 
     /** The time that is left of the limit; zero if it is over. */
     Duration left(long nowNanos) {
-        return Duration.ofNanos(Math.max(0, limitNanos - (nowNanos - arrivedNanos)));
+        return arrivedNanos == NOT_NOTED
+                ? Duration.ofNanos(limitNanos)
+                : Duration.ofNanos(Math.max(0, limitNanos - (nowNanos - arrivedNanos)));
     }
 
-    /** The age of the message now. */
+    /** The age of the message now; without the time since its arrival if that is not known. */
     long ageNanos(long nowNanos) {
-        return ageNanos + (nowNanos - arrivedNanos);
+        return arrivedNanos == NOT_NOTED ? ageNanos : ageNanos + (nowNanos - arrivedNanos);
     }
 
     /** True if the requester does not wait any more. */

@@ -382,7 +382,7 @@ final class RemoteNodes implements BusEngine.Listener {
         Class<?> type = expected.get();
         try {
             BusMessage message = type == null ? frame.message(UNREAD) : frame.message(codec, type);
-            bus.receive(MessageDelivery.within(message, frame.header().incarnation(), 0));
+            bus.receive(MessageDelivery.within(message, frame.header().incarnation(), MessageDelivery.NOT_NOTED));
         } catch (UnreadableException unreadable) {
             bus.notifier.unreadable("the reply from " + frame.header().from(), unreadable);
             bus.rejectRequest(request, "the answer cannot be read: " + unreadable.getMessage());

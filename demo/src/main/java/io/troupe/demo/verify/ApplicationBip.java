@@ -24,8 +24,8 @@ import java.util.stream.Stream;
  * The BIP model of a declared application: its components, its needs, its replacements and the application itself are
  * components of the model; what the broker and the bus do between them are connectors.
  *
- * <p><b>Behaviour.</b> A component has the states of {@code Lifecycle} and a port for each topic, which is enabled
- * while it runs. A need asks when the application has met the needs before it, chooses a provider, starts it if
+ * <p><b>Behaviour.</b> A component has the states of {@code ManagedProvider} and a port for each topic, which is
+ * enabled while it runs. A need asks when the application has met the needs before it, chooses a provider, starts it if
  * necessary, and uses it until it fails.
  *
  * <p><b>Interaction.</b> The failure of a component is a trigger, with its users as synchrons, because all of them are
@@ -40,7 +40,8 @@ import java.util.stream.Stream;
  * application stops its components. A failed component is started again only while a need waits for it. At its end the
  * application closes its needs one after the other.
  *
- * <p><b>Source.</b> The classes {@code Lifecycle}, {@code BrokerActor}, {@code Application} and {@code TopicWiring}.
+ * <p><b>Source.</b> The classes {@code ManagedProvider}, {@code BrokerActor}, {@code Application} and
+ * {@code TopicWiring}.
  */
 final class ApplicationBip {
     static final String APPLICATION = "application";
@@ -212,7 +213,7 @@ final class ApplicationBip {
         return application.on("terminate", "ending", "ending").on("finish", "ending", "ended");
     }
 
-    /** The automaton of {@code Lifecycle}, without a name; a termination that fails leaves a failed component. */
+    /** The automaton of {@code ManagedProvider}, without a name; a termination that fails leaves a failed component. */
     private AtomType component(String name) {
         var type = AtomType.starting("Component", "not_invoked");
         type = type.on("invoke", "not_invoked", "invoking")

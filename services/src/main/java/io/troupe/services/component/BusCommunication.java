@@ -14,7 +14,7 @@ import java.util.function.Function;
 /**
  * The bus communication unit (BCU): connects a component interface with the bus.
  *
- * <p><b>Role.</b> Publishes data messages, subscribes to topics, and answers control messages and requests for data.
+ * <p><b>Role.</b> Publishes data messages, subscribes to topics, and answers requests for data.
  *
  * <p><b>Threads.</b> The actor space on which it was attached.
  *

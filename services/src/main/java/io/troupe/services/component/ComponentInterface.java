@@ -138,7 +138,13 @@ public final class ComponentInterface<I, O> implements AutoCloseable {
             return action.get();
         }
         Deferred<@Nullable Void> answer = Deferred.unbound();
-        space.execute(() -> answer.resolveFrom(action.get()));
+        space.execute(() -> {
+            try {
+                answer.resolveFrom(action.get());
+            } catch (RuntimeException | Error thrown) { // for example: the port was closed
+                answer.reject(thrown);
+            }
+        });
         return answer;
     }
 
@@ -210,7 +216,12 @@ public final class ComponentInterface<I, O> implements AutoCloseable {
             if (dropped > 0) {
                 observer.info(address(), dropped + " values for its last life were forgotten");
             }
-            bus.subscribe(component.subscribes(), this::received);
+            try {
+                bus.subscribe(component.subscribes(), this::received);
+            } catch (RuntimeException | Error thrown) { // a port that is closed, a topic of another type
+                fail(thrown);
+                return;
+            }
             attempt(() -> communication().invoke(this)).onSettled((done, error) -> {
                 invoked(error);
             });

@@ -1,6 +1,7 @@
 package io.troupe.services.component.application;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.broker.Broker;
@@ -23,6 +24,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 
@@ -67,6 +69,7 @@ public final class Application implements AutoCloseable {
     private final List<NeedConnection> connections = new ArrayList<>();
     private final Deferred<@Nullable Void> started = new Deferred<>();
     private final Deferred<@Nullable Void> ended = new Deferred<>();
+    private final CompletableFuture<@Nullable Void> spaceEnd;
     private boolean ending;
 
     /** A component of the plan; {@code here} is null if it runs on another node, whose broker offers it. */
@@ -80,11 +83,17 @@ public final class Application implements AutoCloseable {
         this.plan = plan;
         this.bus = bus;
         this.settings = settings;
+        this.spaceEnd = space.whenClosed().toCompletableFuture();
         var limits = settings.broker();
-        this.broker = plan.nodes().isEmpty()
-                ? Broker.open(bus.node(), space, limits)
-                : Broker.over(bus, space, limits.withObserver(this::onBroker), plan.sharing());
         this.port = bus.attach(plan.name() + ":application");
+        try {
+            this.broker = plan.nodes().isEmpty()
+                    ? Broker.open(bus.node(), space, limits)
+                    : Broker.over(bus, space, limits.withObserver(this::onBroker), plan.sharing());
+        } catch (RuntimeException | Error thrown) { // for example: another broker of this node is on the bus
+            port.close();
+            throw thrown;
+        }
         this.wiring = new TopicWiring(port, plan.components(), settings.events());
     }
 
@@ -122,6 +131,9 @@ public final class Application implements AutoCloseable {
     }
 
     private void begin() {
+        // by the thread that closes it: nothing of this space runs any more
+        spaceEnd.thenRun(() ->
+                settle(new ApplicationException("application " + plan.name() + " ended with its space " + space)));
         ended.exceptionally(error -> null); // a failed start is reported by started(); ended() needs no listener
         try {
             plan.components().forEach(this::open);
@@ -402,7 +414,11 @@ public final class Application implements AutoCloseable {
         if (ActorSpace.current() == space) {
             end(null);
         } else {
-            space.execute(() -> end(null));
+            try {
+                space.execute(() -> end(null));
+            } catch (ActorStoppedException over) {
+                settle(new ApplicationException("application " + plan.name() + " ended with its space " + space));
+            }
         }
         return ended;
     }
@@ -455,6 +471,7 @@ public final class Application implements AutoCloseable {
     }
 
     private void settle(@Nullable Throwable why) {
+        spaceEnd.cancel(false); // else a space would keep every application that has ended
         if (why == null) {
             started.resolve(null); // also settles the start of an application that is stopped while it starts
             ended.resolve(null);

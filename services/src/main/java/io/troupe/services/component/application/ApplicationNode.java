@@ -1,6 +1,8 @@
 package io.troupe.services.component.application;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.ActorStoppedException;
+import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerEvent;
@@ -28,10 +30,12 @@ import org.jspecify.annotations.Nullable;
  * run are terminated, which is reported to the observer. A pause of this process does not count.
  */
 public final class ApplicationNode implements AutoCloseable {
+    private final ActorSpace space;
     private final Broker broker;
     private final List<ComponentInterface<?, ?>> components;
 
-    private ApplicationNode(Broker broker, List<ComponentInterface<?, ?>> components) {
+    private ApplicationNode(ActorSpace space, Broker broker, List<ComponentInterface<?, ?>> components) {
+        this.space = space;
         this.broker = broker;
         this.components = components;
     }
@@ -59,22 +63,26 @@ public final class ApplicationNode implements AutoCloseable {
         var limits = settings.broker();
         var broker =
                 Broker.over(bus, space, limits.withObserver(observer(limits.observer(), settings)), plan.sharing());
-        List<ComponentInterface<?, ?>> components = new ArrayList<>();
-        for (String name : names) {
-            Component<?, ?> component = plan.components().get(name);
-            var opened = ComponentInterface.open(bus, name, component, settings.components());
-            components.add(opened);
-            broker.register(
-                            plan.serviceAtStart(name),
-                            plan.isRegisteredAtStart(name) ? component.capabilities() : List.of(),
-                            opened.address(),
-                            opened::newLife)
-                    .exceptionally(taken -> {
-                        settings.components().problem(opened.address(), "cannot be offered", taken);
-                        return null;
-                    });
+        var node = new ApplicationNode(space, broker, new ArrayList<>());
+        try {
+            names.forEach(name -> node.offer(plan, name, bus, settings));
+        } catch (RuntimeException | Error thrown) { // for example: the name of a component is taken
+            node.closeAsync();
+            throw thrown;
         }
-        return new ApplicationNode(broker, components);
+        return node;
+    }
+
+    private void offer(ApplicationPlan plan, String name, Bus bus, ApplicationSettings settings) {
+        Component<?, ?> component = plan.components().get(name);
+        var opened = ComponentInterface.open(bus, name, component, settings.components());
+        components.add(opened);
+        broker.register(
+                        plan.serviceAtStart(name),
+                        plan.isRegisteredAtStart(name) ? component.capabilities() : List.of(),
+                        opened.address(),
+                        opened::newLife)
+                .onRejected(taken -> settings.components().problem(opened.address(), "cannot be offered", taken));
     }
 
     private static BrokerObserver observer(BrokerObserver inner, ApplicationSettings settings) {
@@ -88,15 +96,28 @@ public final class ApplicationNode implements AutoCloseable {
 
     /** Ends the components and leaves the bus. From any thread. */
     public Promise<@Nullable Void> closeAsync() {
-        return broker.closeAsync().handle((left, error) -> {
+        Deferred<@Nullable Void> closed = Deferred.unbound();
+        Runnable end = () -> broker.closeAsync().onSettled((left, error) -> {
             components.forEach(ComponentInterface::close); // reports a failed termination
-            return null;
+            closed.resolve(null);
         });
+        if (ActorSpace.current() == space) {
+            end.run();
+        } else {
+            try {
+                space.execute(end);
+            } catch (ActorStoppedException over) { // with the space, all of it has ended
+                closed.reject(over);
+            }
+        }
+        return closed;
     }
 
     /**
      * Like {@link #closeAsync}, and waits until that is done: for threads outside every space. On the thread of a space
      * it does not wait.
+     *
+     * @throws ApplicationException if it takes longer than a minute; it goes on
      */
     @Override
     public void close() {

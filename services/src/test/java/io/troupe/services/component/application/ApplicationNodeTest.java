@@ -332,6 +332,36 @@ class ApplicationNodeTest {
     }
 
     @Test
+    void componentThatHasTakenAPlace_keepsIt_andTheReplacedOneStaysAway_whenTheirNodeRestarts() {
+        String text = WITHOUT_RESERVE + """
+                component relief is spaceWanderer on laptop
+                at 150ms replace follower by relief
+                """;
+        serve(text);
+        run(text);
+        test.get(application.started());
+        seconds(0.5);
+        assertThat(events).last().isEqualTo("robot1 uses laptop/relief");
+        events.clear();
+        laptop.close();
+        laptop = open("laptop");
+        serve(text);
+        seconds(2);
+        assertThat(events).last().isEqualTo("robot1 uses laptop/relief");
+        assertThat(events).doesNotContain("robot1 uses laptop/follower");
+        robots.tick(100);
+        assertThat(robots.commands(0)).contains(ahead(0.5));
+    }
+
+    @Test
+    void closeOfAnApplication_afterItsSpace_returns_andTheApplicationHasEnded() {
+        run(TEXT); // waits for its other node
+        test.space().close();
+        application.close();
+        assertThat(application.ended().isRejected()).isTrue();
+    }
+
+    @Test
     void componentThatTakesAPlaceLater_isNotUsedBefore() {
         String text = (TEXT + """
                 component relief is spaceWanderer on laptop
