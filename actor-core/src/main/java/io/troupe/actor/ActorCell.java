@@ -14,6 +14,7 @@ import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -37,7 +38,7 @@ final class ActorCell extends Recipient {
     private final int number;
     private @Nullable Supplier<?> factory; // null after the end: what it refers to must not stay behind
     private final ActorSettings settings;
-    private final boolean forwards; // a Forwarder passes its calls on
+    private final @Nullable Function<String, RuntimeException> unsent; // not null: a Forwarder passes its calls on
     private final @Nullable BoundedMailbox mailbox;
     private @Nullable Object implementation; // null if the slow path is to decide: calls are held back or bounded
     private @Nullable Object instance;
@@ -67,7 +68,7 @@ final class ActorCell extends Recipient {
         this.life = new Incarnation(this);
         this.number = number;
         this.factory = factory;
-        this.forwards = factory instanceof Forwarder.Factory;
+        this.unsent = factory instanceof Forwarder.Factory link ? link.unsent() : null;
         this.settings = settings;
         Integer capacity = settings.mailboxCapacity();
         this.mailbox = capacity == null ? null : new BoundedMailbox(capacity, settings.overflow());
@@ -173,7 +174,7 @@ final class ActorCell extends Recipient {
 
     /** True for a connection, which passes its calls on. */
     boolean forwards() {
-        return forwards;
+        return unsent != null;
     }
 
     void bind(Object newProxy) {
@@ -416,7 +417,7 @@ final class ActorCell extends Recipient {
         }
         return space.isStopping()
                 ? "space " + space + " is closed"
-                : (forwards ? "the connection " : "the actor ") + this + (forwards ? " is closed" : " has stopped");
+                : (unsent == null ? "the actor " + this + " has stopped" : "the connection " + this + " is closed");
     }
 
     /** Restarts the actor, after a pause if its supervision or its failed starts require one. */
@@ -516,7 +517,8 @@ final class ActorCell extends Recipient {
      * a quota.
      */
     private @Nullable Object direct(@Nullable Object target) {
-        return !forwards && mailbox == null && share() == null && space.settings.callObserver() == null ? target : null;
+        boolean bounded = mailbox != null || share() != null;
+        return unsent != null || bounded || space.settings.callObserver() != null ? null : target;
     }
 
     private @Nullable Share share() {
@@ -643,11 +645,15 @@ final class ActorCell extends Recipient {
         Throwable error;
         try {
             reason = whyStopped();
-            error = new ActorStoppedException(nameOf(call) + " was not begun: " + reason, endedBy(), false);
+            error = notBegun(nameOf(call) + (unsent == null ? " was not begun: " : " was not sent: ") + reason);
         } catch (Throwable noMemory) {
             error = ActorStoppedException.withoutMemory(false);
         }
         rejectCall(call, reason, error);
+    }
+
+    private Throwable notBegun(String words) {
+        return unsent == null ? new ActorStoppedException(words, endedBy(), false) : unsent.apply(words);
     }
 
     private void rejectCall(QueueEntry call, String reason, Throwable error) {
@@ -735,7 +741,7 @@ final class ActorCell extends Recipient {
 
     @Override
     public void cancelled(Request<?> request) {
-        if (forwards) {
+        if (unsent != null) {
             space.enqueue(Entry.urgent(() -> abandoned(request), () -> {}));
         }
     }
@@ -743,7 +749,7 @@ final class ActorCell extends Recipient {
     @Override
     public void timedOut(Request<?> request) {
         space.reports().logArgumentsOfLate(request);
-        if (forwards && request.isAbandoned()) {
+        if (unsent != null && request.isAbandoned()) {
             request.cancel();
         }
     }

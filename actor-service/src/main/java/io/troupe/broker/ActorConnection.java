@@ -53,7 +53,9 @@ public final class ActorConnection<A> implements AutoCloseable {
     static <A> ActorConnection<A> open(
             ActorSpace space, ActorServices services, Class<A> type, Need need, ConnectionSettings settings) {
         Deferred<ServiceRecord> first = Deferred.unbound();
-        Forwarder.Factory link = () -> new ServiceLink(services, type, need, settings, first);
+        var link = new Forwarder.Factory(
+                () -> new ServiceLink(services, type, need, settings, first),
+                unsent -> new ServiceCallException(unsent, false, null));
         A actor = space.spawn(type, asActor(link), ActorSettings.named(name(need)));
         return new ActorConnection<>(space, actor, first);
     }

@@ -107,6 +107,8 @@ public final class Broker implements AutoCloseable {
 
     /** The same, with a rank or in a group. */
     public static Broker over(Bus bus, ActorSpace space, BrokerSettings settings, Sharing sharing) {
+        Objects.requireNonNull(space, "space");
+        Objects.requireNonNull(settings, "settings");
         var messages = new OfferMessages(sharing.group());
         BusPort port = bus.attach(new OwnName(messages.port));
         var broker = new Broker(bus.node(), space, settings, bus);

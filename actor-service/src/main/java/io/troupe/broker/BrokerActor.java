@@ -100,6 +100,16 @@ class BrokerActor extends Actor {
         Place oldPlace = places.put(old, Place.NONE);
         Place newPlace = places.put(address, new Place(service, capabilities));
         return replace(old, service, capabilities, address, ManagedProvider.Source.of(offer.provider))
+                .whenComplete((record, error) -> {
+                    if (error == null
+                            && !context.isClosing()
+                            && elsewhere.get(address) != offer) { // withdrawn meanwhile, or offered anew
+                        registry.of(offer.provider)
+                                .ifPresent(stale ->
+                                        withdraw(stale.address).onRejected(failed -> {})); // a failure is an event
+                        registerOffered(address);
+                    }
+                })
                 .exceptionallyCompose(error -> {
                     putBack(old, oldPlace);
                     putBack(address, newPlace);

@@ -156,7 +156,10 @@ class ActorServicesTest extends BrokerBench {
         get(replace("parrot#2", "c"));
         assertThat(get(parrot.say("3"))).isEqualTo("c: 3");
         connection.close();
-        assertThat(test.error(parrot.say("4"))).hasMessageEndingWith("the connection parrot for robot 1 is closed");
+        assertThat(test.error(parrot.say("4")))
+                .isInstanceOf(ServiceCallException.class)
+                .hasMessage("Parrot.say(String) of parrot for robot 1 was not sent: the connection parrot for robot 1"
+                        + " is closed");
     }
 
     @Test

@@ -180,11 +180,37 @@ class SharingTest extends HostsBench {
         assertThat(base.health("laptop/broken")).isEqualTo(Health.FAILED); // there
     }
 
+    @Test
+    void replacementByAProviderOfAnotherProcess_thatIsOfferedAnewWhileItStarts_usesTheNewOne() {
+        var songbird = new Address("laptop", "songbird");
+        Deferred<@Nullable Void> hatched = Deferred.unbound();
+        get(laptop.broker.register("idle", List.of(), songbird, bird("first", hatched)));
+        base.publish("grey");
+        test.runQueued();
+        get(base.broker.require(PARROT));
+        var replaced = base.broker.replace(new Address("base", "parrot"), "parrot", List.of(), songbird);
+        test.runQueued();
+        var withdrawn = laptop.broker.withdraw(songbird); // it waits for the start
+        get(laptop.broker.register("idle", List.of(), songbird, parrot("second")));
+        test.runQueued();
+        hatched.resolve(null);
+        get(replaced);
+        get(withdrawn);
+        test.runQueued();
+        assertThat(base.found()).containsExactly("laptop/songbird");
+        get(base.broker.require(PARROT));
+        assertThat(laptop.health("laptop/songbird")).isEqualTo(Health.WELL);
+    }
+
     private static Provider parrot(String name) {
+        return bird(name, Promise.done());
+    }
+
+    private static Provider bird(String name, Promise<@Nullable Void> started) {
         return new Provider() {
             @Override
             public Promise<@Nullable Void> start() {
-                return Promise.done();
+                return started;
             }
 
             @Override

@@ -300,7 +300,7 @@ class DriverGoneTest {
 
     private void start(ActorSpace space, Bus bus, Supplier<Behaviour> law) throws Exception {
         var plan = ApplicationPlan.named("turning")
-                .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", port, List.of(1), false)))
+                .with("robots", PlayerComponent.of(PlayerComponent.Settings.of("localhost", port, List.of(1))))
                 .with("turner", BehaviourComponent.of("turner", "turning", List.of(), law))
                 .needing("turning", "player")
                 .needing("robot1", "turning");

@@ -220,15 +220,15 @@ public class PlayerClient extends SupportedInterfaces {
     /**
      * Sets a limit after which a connected but silent server counts as lost. If nothing arrives for half of the limit,
      * the client sends a request that every server answers. If nothing arrives in the other half either, every waiting
-     * call and every later one throws {@link PlayerException}. Zero, the default, sets no limit. Commands are still
+     * call and every later one throws {@link PlayerException}. Null, the default, sets no limit. Commands are still
      * sent until {@link #close}. An addition to the Player client, which waits without limit.
      *
      * <p>Measured in wall-clock time. A server that is paused, or whose lock step waits for another client, still
      * answers and so is not silent. A server in this JVM is never silent.
      */
-    public void setSilenceLimit(Duration limit) {
-        if (!limit.isZero() && limit.compareTo(Duration.ofMillis(2)) < 0) {
-            throw new PlayerException("silence limit is " + limit + ", expected 2 ms or more, or zero for none");
+    public void setSilenceLimit(@Nullable Duration limit) {
+        if (limit != null && limit.compareTo(Duration.ofMillis(2)) < 0) {
+            throw new PlayerException("silence limit is " + limit + ", expected 2 ms or more, or null for none");
         }
         execute(() -> connection.silenceLimit(limit));
     }

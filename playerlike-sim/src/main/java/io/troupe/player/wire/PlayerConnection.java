@@ -3,6 +3,7 @@ package io.troupe.player.wire;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A client's connection to a server.
@@ -46,9 +47,9 @@ public interface PlayerConnection extends AutoCloseable {
 
     /**
      * Sets how long the server may send nothing, not even a reply to a keep-alive request, before {@link DataSink#lost}
-     * is called; zero for no limit. The connection stays open. In this JVM a server is never silent.
+     * is called; null for no limit. The connection stays open. In this JVM a server is never silent.
      */
-    default void silenceLimit(Duration limit) {}
+    default void silenceLimit(@Nullable Duration limit) {}
 
     /**
      * Lock step: this client has handled the frame of that tick and waits for a newer one.

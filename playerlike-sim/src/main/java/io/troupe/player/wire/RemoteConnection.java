@@ -57,7 +57,7 @@ final class RemoteConnection implements PlayerConnection {
     private boolean overflowLogged; // used by the reader only
     private volatile List<DeviceAddress> devices = List.of();
     private volatile Duration replyLimit;
-    private volatile Duration silenceLimit = Duration.ZERO; // no limit
+    private volatile @Nullable Duration silenceLimit; // null: no limit
     private final AtomicReference<@Nullable End> end = new AtomicReference<>();
 
     /** @param lost true if the server is gone; false if the client closed this connection */
@@ -187,9 +187,9 @@ final class RemoteConnection implements PlayerConnection {
     }
 
     @Override
-    public void silenceLimit(Duration limit) {
+    public void silenceLimit(@Nullable Duration limit) {
         checkOpen();
-        long halfMillis = Deadline.nanos(limit) / 2 / 1_000_000;
+        long halfMillis = limit == null ? 0 : Deadline.nanos(limit) / 2 / 1_000_000; // 0: reads wait without limit
         socket.timeOutReads(Duration.ofMillis(Math.min(halfMillis, READ_TIMEOUT_MILLIS)));
         silenceLimit = limit;
     }
@@ -425,6 +425,7 @@ final class RemoteConnection implements PlayerConnection {
         }
     }
 
+    @Nullable
     Duration silenceLimit() {
         return silenceLimit;
     }
@@ -445,9 +446,9 @@ final class RemoteConnection implements PlayerConnection {
     }
 
     /** The server is connected but has sent nothing for the whole limit. */
-    void serverSilent() {
+    void serverSilent(Duration limit) {
         sink.lost("the Player server at " + name + " is connected and silent: nothing has come from it for "
-                + Deadline.nanos(silenceLimit) / 1_000_000 + " ms, and no answer to a request");
+                + Deadline.nanos(limit) / 1_000_000 + " ms, and no answer to a request");
     }
 
     /**

@@ -8,7 +8,9 @@ import java.io.InputStream;
 import java.lang.System.Logger.Level;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads the messages of a server: passes frames to the connection and replies to their callers.
@@ -130,9 +132,9 @@ final class RemoteReader implements Runnable {
      */
     static final class KeepAliveInput extends FilterInputStream {
         private final Clock clock;
-        private final Supplier<Duration> limit;
+        private final Supplier<@Nullable Duration> limit;
         private final Runnable ask;
-        private final Runnable silent;
+        private final Consumer<Duration> silent;
         private long sinceNanos; // time of the last byte or of the request
         private boolean asked;
         private boolean reported;
@@ -142,7 +144,12 @@ final class RemoteReader implements Runnable {
          * @param ask sends a request that every server answers
          * @param silent notified when the limit has expired
          */
-        KeepAliveInput(InputStream in, Clock clock, Supplier<Duration> limit, Runnable ask, Runnable silent) {
+        KeepAliveInput(
+                InputStream in,
+                Clock clock,
+                Supplier<@Nullable Duration> limit,
+                Runnable ask,
+                Consumer<Duration> silent) {
             super(in);
             this.clock = clock;
             this.limit = limit;
@@ -171,14 +178,14 @@ final class RemoteReader implements Runnable {
             }
         }
 
-        private void checkLimit(Duration silenceLimit) {
+        private void checkLimit(@Nullable Duration silenceLimit) {
             long now = clock.nanos();
-            if (silenceLimit.isZero() || reported || now - sinceNanos < Deadline.nanos(silenceLimit) / 2) {
+            if (silenceLimit == null || reported || now - sinceNanos < Deadline.nanos(silenceLimit) / 2) {
                 return;
             }
             if (asked) {
                 reported = true;
-                silent.run();
+                silent.accept(silenceLimit);
             } else {
                 asked = true;
                 sinceNanos = now;

@@ -28,6 +28,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.logging.Logger;
 import java.util.logging.SimpleFormatter;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -422,7 +423,7 @@ class RemoteConnectionTest implements PlayerConstants {
     // ---- servers that stay connected and do not send what a client waits for
 
     /** Reads come from the list: a number of bytes, 0 for a time-out of one second, -1 for the end of the stream. */
-    private RemoteReader.KeepAliveInput input(Duration limit, Integer... reads) {
+    private RemoteReader.KeepAliveInput input(@Nullable Duration limit, Integer... reads) {
         Queue<Integer> next = new ArrayDeque<>(List.of(reads));
         var in = new InputStream() {
             @Override
@@ -442,7 +443,7 @@ class RemoteConnectionTest implements PlayerConstants {
             }
         };
         return new RemoteReader.KeepAliveInput(
-                in, clock, () -> limit, () -> events.add("ask"), () -> events.add("silent"));
+                in, clock, () -> limit, () -> events.add("ask"), silent -> events.add("silent"));
     }
 
     @Test
@@ -469,21 +470,21 @@ class RemoteConnectionTest implements PlayerConstants {
     }
 
     @Test
-    void silenceLimit_ofZeroOrBeyondAllNanoseconds_isTaken_andEndsNothing_andOneMillisecondIsRefused()
+    void silenceLimit_ofNoneOrBeyondAllNanoseconds_isTaken_andEndsNothing_andOneMillisecondIsRefused()
             throws Exception {
         var endless = Duration.ofSeconds(Long.MAX_VALUE);
-        assertThat(input(Duration.ZERO, 0, 0, 0, 0, 0, 0, 0, 0, 7).read(new byte[8], 0, 8))
+        assertThat(input(null, 0, 0, 0, 0, 0, 0, 0, 0, 7).read(new byte[8], 0, 8))
                 .isEqualTo(7);
         assertThat(input(endless, 0, 0, 0, 8).read(new byte[8], 0, 8)).isEqualTo(8);
         assertThat(events).containsExactly("read 7", "read 8");
         client.setSilenceLimit(endless);
         client.setReadTimeout(Long.MAX_VALUE);
         addRule();
-        client.setSilenceLimit(Duration.ZERO);
+        client.setSilenceLimit(null);
         addRule();
         assertThatThrownBy(() -> client.setSilenceLimit(Duration.ofMillis(1)))
                 .isInstanceOf(PlayerException.class)
-                .hasMessage("silence limit is PT0.001S, expected 2 ms or more, or zero for none");
+                .hasMessage("silence limit is PT0.001S, expected 2 ms or more, or null for none");
     }
 
     @Test

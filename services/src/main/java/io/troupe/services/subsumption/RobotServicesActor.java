@@ -206,25 +206,31 @@ public final class RobotServicesActor extends Actor implements RobotServices {
 
     @Override
     public Promise<ServiceEnd> report(Lease lease, int robot, String service, Callback<ColourReport> reports) {
-        var drive = new Drive(lease, robot, offered(service));
-        drive.reports = reports;
-        return begin(drive, (devices, secondsInCharge) -> {
+        Promise<ServiceEnd> ended;
+        try {
+            ended = begin(new Drive(lease, robot, offered(service)), reporter(robot, service, reports));
+        } catch (RuntimeException refused) {
+            reports.finish(); // the error is that of the call
+            throw refused;
+        }
+        return ended.whenComplete((end, error) -> reports.finish());
+    }
+
+    private ServiceCycle.Finder reporter(int robot, String service, Callback<ColourReport> reports) {
+        boolean findsColours = offered(service).findsColours();
+        return (devices, secondsInCharge) -> {
             if (reports.isCancelled()) {
-                LOG.log(
-                        Level.WARNING,
-                        "robot {0}: {1} stops, as it has no listener any more",
-                        robot + 1,
-                        drive.service);
+                LOG.log(Level.WARNING, "robot {0}: {1} stops, as it has no listener any more", robot + 1, service);
                 return false;
             }
-            if (drive.service.findsColours()) {
+            if (findsColours) {
                 coloursToSend(devices).forEach(colour -> {
                     observer.colourSent(robot, colour);
                     reports.next(new ColourReport(robot, colour, secondsInCharge));
                 });
             }
             return true;
-        });
+        };
     }
 
     /** The colours to send, each once even if several blobs have it. */
@@ -312,8 +318,6 @@ public final class RobotServicesActor extends Actor implements RobotServices {
         final Service service;
         Optional<Integer> seen = Optional.empty();
 
-        @Nullable
-        Callback<ColourReport> reports;
         /** Settled when zero speed has been sent, or the service will not start. */
         final Deferred<@Nullable Void> ended = new Deferred<>();
 
@@ -420,9 +424,6 @@ public final class RobotServicesActor extends Actor implements RobotServices {
             drives.remove(robot, this);
             connections.serviceEnded(
                     robot, error instanceof PlayerException, context().space());
-            if (reports != null) {
-                reports.finish(); // the error is that of the call
-            }
             if (error == null) {
                 ended.resolve(null);
             } else {

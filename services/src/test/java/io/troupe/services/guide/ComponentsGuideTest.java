@@ -166,7 +166,8 @@ class ComponentsGuideTest {
     }
 
     private static Component<?, ?> robots() {
-        return PlayerComponent.of(new PlayerComponent.Settings("localhost", FakeRobots.PORT, List.of(1, 2), true));
+        return PlayerComponent.of(PlayerComponent.Settings.of("localhost", FakeRobots.PORT, List.of(1, 2))
+                .withCamera(true));
     }
 
     private static Component<?, ?> follower() {

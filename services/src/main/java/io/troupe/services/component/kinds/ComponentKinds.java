@@ -74,12 +74,12 @@ public final class ComponentKinds {
                         new Parameter("robots", "their numbers, 1 for Player index 0", "1"),
                         new Parameter("camera", "yes or no: whether they have blobfinders", "yes"),
                         new Parameter("laser", "yes or no: whether they have lasers, and scans are published", "no")),
-                (name, arguments) -> PlayerComponent.of(new PlayerComponent.Settings(
-                        arguments.text("host"),
-                        arguments.integer("port", 1, MAX_PORT),
-                        arguments.integers("robots", 1, MAX_ROBOTS),
-                        isYes(arguments, "camera"),
-                        isYes(arguments, "laser"))));
+                (name, arguments) -> PlayerComponent.of(PlayerComponent.Settings.of(
+                                arguments.text("host"),
+                                arguments.integer("port", 1, MAX_PORT),
+                                arguments.integers("robots", 1, MAX_ROBOTS))
+                        .withCamera(isYes(arguments, "camera"))
+                        .withLaser(isYes(arguments, "laser"))));
     }
 
     private static boolean isYes(Arguments arguments, String name) {

@@ -49,24 +49,66 @@ public final class PlayerComponent {
      */
     static final int MAX_READINGS_WITHOUT_COMMAND = 5;
 
-    /**
-     * Address of the server, and the devices that are used.
-     *
-     * @param robots robot numbers from 1, which are Player indices plus one
-     * @param camera whether to subscribe to the blobfinders of the robots
-     * @param laser whether to subscribe to the lasers of the robots
-     */
-    public record Settings(String host, int port, List<Integer> robots, boolean camera, boolean laser) {
-        public Settings {
-            robots = List.copyOf(robots);
+    /** Address of the server, its robots, and the devices that are used. */
+    public static final class Settings extends io.troupe.actor.Settings<Settings> {
+        private final String host;
+        private final int port;
+        private final List<Integer> robots;
+        private boolean camera;
+        private boolean laser;
+
+        private Settings(String host, int port, List<Integer> robots) {
+            this.host = host;
+            this.port = port;
+            this.robots = List.copyOf(robots);
+        }
+
+        /**
+         * Sonars and positions of some robots.
+         *
+         * @param robots robot numbers from 1, which are Player indices plus one
+         */
+        public static Settings of(String host, int port, List<Integer> robots) {
+            var settings = new Settings(host, port, robots);
+            settings.check();
+            return settings;
+        }
+
+        @Override
+        protected void check() {
             if (robots.isEmpty() || robots.stream().anyMatch(number -> number < 1)) {
                 throw new IllegalArgumentException("robots are " + robots + ", expected numbers from 1");
             }
         }
 
-        /** Settings without lasers. */
-        public Settings(String host, int port, List<Integer> robots, boolean camera) {
-            this(host, port, robots, camera, false);
+        /** Whether to subscribe to the blobfinders of the robots, too. */
+        public Settings withCamera(boolean newCamera) {
+            return with(copy -> copy.camera = newCamera);
+        }
+
+        /** Whether to subscribe to the lasers of the robots, too. */
+        public Settings withLaser(boolean newLaser) {
+            return with(copy -> copy.laser = newLaser);
+        }
+
+        public String host() {
+            return host;
+        }
+
+        public int port() {
+            return port;
+        }
+
+        public List<Integer> robots() {
+            return robots;
+        }
+
+        public boolean camera() {
+            return camera;
+        }
+
+        public boolean laser() {
+            return laser;
         }
 
         String where() {

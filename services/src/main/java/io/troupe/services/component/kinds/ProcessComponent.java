@@ -37,25 +37,61 @@ public final class ProcessComponent {
     /** A line of text without its line terminator. */
     public record TextLine(String text) {}
 
-    /**
-     * The program and its time limits.
-     *
-     * @param command the program and its arguments
-     * @param directory the working directory
-     * @param startLimit time limit for the first line of output
-     * @param stopLimit time that the processes have to end on request before they are killed
-     */
-    public record Settings(List<String> command, Path directory, Duration startLimit, Duration stopLimit) {
-        public Settings {
-            command = List.copyOf(command);
+    /** The program and its time limits, which are measured by the system clock. */
+    public static final class Settings extends io.troupe.actor.Settings<Settings> {
+        private final List<String> command;
+        private final Path directory;
+        private Duration startLimit = Duration.ofSeconds(10);
+        private Duration stopLimit = Duration.ofSeconds(2);
+
+        private Settings(List<String> command, Path directory) {
+            this.command = List.copyOf(command);
+            this.directory = directory;
+        }
+
+        /**
+         * Settings with 10 s to start and 2 s to stop.
+         *
+         * @param command the program and its arguments
+         * @param directory the working directory
+         */
+        public static Settings of(List<String> command, Path directory) {
+            var settings = new Settings(command, directory);
+            settings.check();
+            return settings;
+        }
+
+        @Override
+        protected void check() {
             if (command.isEmpty()) {
                 throw new IllegalArgumentException("the command of a process is empty, expected a program");
             }
         }
 
-        /** Settings with 10 s to start and 2 s to stop, measured by the system clock. */
-        public static Settings of(List<String> command, Path directory) {
-            return new Settings(command, directory, Duration.ofSeconds(10), Duration.ofSeconds(2));
+        /** The time limit for the first line of output. */
+        public Settings withStartLimit(Duration limit) {
+            return with(copy -> copy.startLimit = limit);
+        }
+
+        /** The time that the processes have to end on request before they are killed. */
+        public Settings withStopLimit(Duration limit) {
+            return with(copy -> copy.stopLimit = limit);
+        }
+
+        public List<String> command() {
+            return command;
+        }
+
+        public Path directory() {
+            return directory;
+        }
+
+        public Duration startLimit() {
+            return startLimit;
+        }
+
+        public Duration stopLimit() {
+            return stopLimit;
         }
     }
 

@@ -368,7 +368,7 @@ class ApplicationTest extends ComponentBench {
     private void startDrivers() {
         var next = driver("next", 0.3).component("driving", RobotTopics.sonar("next"), RobotTopics.velocity("next"));
         start(ApplicationPlan.named("one-robot")
-                .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", 7001, List.of(1), false)))
+                .with("robots", PlayerComponent.of(PlayerComponent.Settings.of("localhost", 7001, List.of(1))))
                 .with("first", first.component("driving", RobotTopics.sonar("first"), RobotTopics.velocity("first")))
                 .with("next", next)
                 .needing("one-robot", "player")

@@ -43,7 +43,8 @@ class ComponentKindsTest extends ComponentBench {
     private ComponentBroker.Registered<?, ?> player = player(1, 2);
 
     private ComponentBroker.Registered<?, ?> player(Integer... numbers) {
-        var settings = new PlayerComponent.Settings("localhost", FakeRobots.PORT, List.of(numbers), true);
+        var settings = PlayerComponent.Settings.of("localhost", FakeRobots.PORT, List.of(numbers))
+                .withCamera(true);
         return open("robots", PlayerComponent.of(settings), notes);
     }
 
@@ -236,7 +237,8 @@ class ComponentKindsTest extends ComponentBench {
         assertThat(robots.laserSubscriptions(0)).isZero();
         assertThat(scans).isEmpty();
 
-        var settings = new PlayerComponent.Settings("localhost", FakeRobots.PORT, List.of(1), false, true);
+        var settings = PlayerComponent.Settings.of("localhost", FakeRobots.PORT, List.of(1))
+                .withLaser(true);
         Component<?, ?> component = PlayerComponent.of(settings);
         var withLaser = start("lasers", component);
         robots.tick(100);

@@ -101,7 +101,9 @@ class ExternalProcessTest {
 
     private ComponentBroker.Registered<?, ?> open(Duration startLimit, Duration stopLimit, String... command)
             throws Exception {
-        var settings = new ProcessComponent.Settings(List.of(command), directory, startLimit, stopLimit);
+        var settings = ProcessComponent.Settings.of(List.of(command), directory)
+                .withStartLimit(startLimit)
+                .withStopLimit(stopLimit);
         var component = ProcessComponent.of("script", "scripting", settings);
         var opened = new CompletableFuture<ComponentBroker.Registered<?, ?>>();
         space.execute(() -> {
@@ -322,7 +324,9 @@ class ExternalProcessTest {
     // ---- the tree of a process
 
     private static ProcessComponent.Settings script(Path directory, Duration stopLimit, String script) {
-        return new ProcessComponent.Settings(List.of(SHELL.toString(), "-c", script), directory, PATIENCE, stopLimit);
+        return ProcessComponent.Settings.of(List.of(SHELL.toString(), "-c", script), directory)
+                .withStartLimit(PATIENCE)
+                .withStopLimit(stopLimit);
     }
 
     private ProcessComponent.Settings script(String script) {
