@@ -1,6 +1,7 @@
 package io.troupe.broker;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
@@ -350,6 +351,33 @@ class BrokerThreadsTest {
             }
             assertThat(broker.closeAsync().get(PATIENCE)).isEmpty();
             assertThat(news).noneMatch(entry -> entry.contains("reads"));
+        }
+    }
+
+    @Test
+    void close_ofABrokerWhoseSpaceIsBusy_endsWithAnErrorAfterItsLimits_andGoesOn() throws Exception {
+        Duration shortest = Duration.ofMillis(1);
+        var settings = BrokerSettings.defaults()
+                .withStartLimit(shortest)
+                .withStopLimit(shortest)
+                .withNotifyLimit(shortest);
+        try (var space = ActorSpace.create(SpaceSettings.named("busy").withoutStallLimit())) {
+            var broker = Broker.open("here", space, settings);
+            var free = new CountDownLatch(1);
+            space.execute(() -> awaitIt(free));
+            assertThatThrownBy(broker::close)
+                    .isInstanceOf(ProviderException.class)
+                    .hasMessageMatching("the broker has not been closed within PT0[.0-9]+S; it goes on");
+            free.countDown();
+            broker.closeAsync().get(PATIENCE);
+        }
+    }
+
+    private static void awaitIt(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException interrupted) {
+            throw new AssertionError(interrupted);
         }
     }
 }

@@ -5,6 +5,7 @@ import static io.troupe.common.text.NamedColours.RED;
 import static io.troupe.services.subsumption.FakeRobots.STOP;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.Callback;
 import io.troupe.actor.Promise;
 import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;
@@ -491,6 +492,20 @@ class FailoverTest extends RobotsBench {
         var lease = new Lease(1, 1, test.get(provider.stamp()));
         assertThat(test.error(provider.drive(lease, 0, "spaceWanderer", BLUE)))
                 .hasMessageContaining("the service spaceWanderer is not offered here, expected one of wallFollower");
+    }
+
+    @Test
+    void reportThatIsRefused_orWhoseLeaseIsNotValid_endsItsCallback() {
+        RobotServices provider = provider();
+        Stamp stamp = test.get(provider.stamp());
+        List<String> ends = new ArrayList<>();
+        for (String service : List.of("spaceWanderer", "wallFollower")) {
+            var reports = new Callback.Stream<RobotServices.ColourReport>(report -> {}, error -> ends.add(service + " " + error));
+            var ofAnother = new Stamp(stamp.provider() + 1, stamp.nanos());
+            var end = provider.report(new Lease(1, 1, ofAnother), 0, service, reports);
+            ends.add(test.get(end.handle((lost, error) -> error == null ? "lost" : "refused")));
+        }
+        assertThat(ends).containsExactly("spaceWanderer null", "refused", "wallFollower null", "lost");
     }
 
     @Test
