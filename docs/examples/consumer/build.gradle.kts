@@ -1,4 +1,5 @@
-// A project outside Troupe. First, in Troupe's root: ./gradlew publishToMavenLocal; then: ./gradlew -p docs/examples/consumer run
+// A project outside Troupe. First, in Troupe's root: ./gradlew publishToMavenLocal;
+// then: ./gradlew -p docs/examples/consumer run
 plugins { application }
 
 repositories {

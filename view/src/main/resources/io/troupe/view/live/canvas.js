@@ -312,7 +312,9 @@ class WorldCanvas {
     to.globalAlpha = 1;
   }
 
-  /** What gives a robot its colour: its service, or, in a world without services, its own colour as a negative number. */
+  /**
+   * What gives a robot its colour: its service, or, in a world without services, its own colour as a negative number.
+   */
   colourKey(robot, state) {
     return this.model.world.services.length ? state & 0xFF : -1 - this.model.world.robots[robot].colour;
   }

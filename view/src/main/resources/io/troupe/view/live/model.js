@@ -12,7 +12,9 @@ class Model {
   /** An obstacle that is so much farther away in the next frame was not pushed there. */
   static JUMP_M = 0.6;
   static BOX_M = 0.4;
-  /** A viewer who drags or drives sends commands all the time; what comes so soon after the one before belongs to it. */
+  /**
+   * A viewer who drags or drives sends commands all the time; what comes so soon after the one before belongs to it.
+   */
   static SAME_ACT_S = 1;
   static BOX_COLOURS = {red: "ff0000", green: "00ff00", blue: "0000ff", yellow: "ffff00", orange: "ffa500", black: "000000"};
   /** A trail has a gap where frames are farther apart: the way of the robot is not known. */
