@@ -274,14 +274,27 @@ final class ActorCell extends Recipient {
         }
         Exceptional state = exceptional();
         state.hold();
-        state.byActor = true;
         implementation = null;
+        if (!state.byActor) {
+            state.byActor = true;
+            noteHold(true);
+        }
+    }
+
+    private void noteHold(boolean isHeld) {
+        CallObserver observer = space.settings.callObserver();
+        if (observer != null && isHeld) {
+            ObservedCalls.held(observer, this);
+        } else if (observer != null) {
+            ObservedCalls.released(observer, this);
+        }
     }
 
     /** See {@link ActorContext#release}. */
     void release() {
         if (exceptional != null && exceptional.byActor) {
             exceptional.byActor = false;
+            noteHold(false);
             releaseSoon(exceptional);
         }
     }
@@ -378,8 +391,9 @@ final class ActorCell extends Recipient {
         }
         implementation = null;
         instance = null;
-        if (exceptional != null) {
+        if (exceptional != null && exceptional.byActor) {
             exceptional.byActor = false;
+            noteHold(false);
         }
         life.endAll(restarted, endedBy());
     }
@@ -569,7 +583,11 @@ final class ActorCell extends Recipient {
                 ObservedCalls.begun(observer, this, call);
             }
             CallObserver.Turn turn = beginTurn();
+            var servedBefore = space.served();
             try {
+                if (observer != null) {
+                    space.serve(new ObservedCalls.ObservedCall(this, call));
+                }
                 if (target instanceof Forwarder forwarder) {
                     forward(call, forwarder);
                 } else if (call instanceof Message message) {
@@ -581,6 +599,9 @@ final class ActorCell extends Recipient {
                 space.dispatcher.fail(
                         call, thrown); // the failure belongs to this call, although the ticket was another's
             } finally {
+                if (observer != null) {
+                    space.serve(servedBefore);
+                }
                 if (turn != null) {
                     turn.end();
                 }
@@ -791,6 +812,11 @@ final class ActorCell extends Recipient {
     String label() {
         String name = settings.name();
         return name != null ? name : type.getSimpleName();
+    }
+
+    /** The number of an actor without a name; otherwise 0. */
+    int unnamedNumber() {
+        return settings.name() == null ? number : 0;
     }
 
     @Override

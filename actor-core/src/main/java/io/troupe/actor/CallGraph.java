@@ -119,8 +119,8 @@ public final class CallGraph implements CallObserver {
      * @param space that groups the names; it need not be an actor space
      */
     public void note(String space, String from, String to) {
-        Counter sender = counter(new Party(space, from));
-        counter(new Party(space, to)).from(sender).calls.increment();
+        Counter sender = counter(new Party(space, from, 0));
+        counter(new Party(space, to, 0)).from(sender).calls.increment();
     }
 
     // ---- called by the spaces
@@ -175,7 +175,8 @@ public final class CallGraph implements CallObserver {
         }
     }
 
-    private Counter counter(Party key) {
+    private Counter counter(Party party) {
+        Party key = party.number() == 0 ? party : new Party(party.space(), party.name(), 0);
         Counter known = counters.get(key);
         return known == null ? newCounter(key) : known;
     }
@@ -183,7 +184,7 @@ public final class CallGraph implements CallObserver {
     private synchronized Counter newCounter(Party key) {
         boolean isFull = counters.size() >= MOST_NODES && !key.name().equals(OTHERS);
         return isFull
-                ? counter(new Party(key.space(), OTHERS))
+                ? counter(new Party(key.space(), OTHERS, 0))
                 : counters.computeIfAbsent(key, each -> {
                     var made = new Counter(this, each);
                     inOrder.add(made);

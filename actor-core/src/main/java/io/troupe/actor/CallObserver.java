@@ -36,8 +36,15 @@ public interface CallObserver {
      * @param space the name of its space; empty for threads that belong to none
      * @param name of an actor as in {@link ActorSettings}, or the simple name of its type; or {@link CallGraph#OUTSIDE}
      *     or {@link CallGraph#TASKS}
+     * @param number of an actor without a name, which no other actor of its space has; otherwise 0
      */
-    record Party(String space, String name) {}
+    record Party(String space, String name, int number) {
+        /** The name; of an actor without a name, as in other texts, with its number: {@code Counter#2}. */
+        @Override
+        public String toString() {
+            return number == 0 ? name : name + "#" + number;
+        }
+    }
 
     /** A call of an actor; equal for all events of one call. */
     interface Call {
@@ -49,6 +56,9 @@ public interface CallObserver {
 
         /** The arguments; callbacks as the actor sees them. */
         List<@Nullable Object> arguments();
+
+        /** True if its caller gets a promise; false for a one-way message. */
+        boolean isRequest();
 
         /** True if its receiver is a connection to a service, which makes the same call of the provider. */
         boolean isPassedOn();
@@ -77,6 +87,12 @@ public interface CallObserver {
     /** A call has left the mailbox, and will not begin: it was refused or cancelled, or the actor has stopped. */
     default void dropped(Party actor, Call call) {}
 
+    /** The actor holds its calls back: see {@link ActorContext#hold}. */
+    default void held(Party actor) {}
+
+    /** The actor takes its calls again, or the instance that held them has ended. */
+    default void released(Party actor) {}
+
     /** A result is sent to a callback, which {@code to} had passed as an argument. */
     default void returned(Party from, Party to) {}
 
@@ -87,6 +103,15 @@ public interface CallObserver {
      */
     default Turn turnBegun(Party party, @Nullable Duration stallLimit) {
         return Turn.NONE;
+    }
+
+    /**
+     * The observed call that the calling thread serves: in the turn of the call, in the listeners that it registers
+     * there, and in its sequential bodies and suspend functions; null elsewhere, also in timers. In {@link #called}, it
+     * is the call whose actor makes the new one.
+     */
+    static @Nullable Call servedCall() {
+        return ObservedCalls.served();
     }
 
     /** Both observe, this one first, each whatever the other one throws. */

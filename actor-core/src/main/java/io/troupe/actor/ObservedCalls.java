@@ -14,9 +14,16 @@ import org.jspecify.annotations.Nullable;
 
 /** Passes the calls of a space to its observer. From any thread. */
 final class ObservedCalls {
+    private static final CallObserver.Party OUTSIDE = new CallObserver.Party("", CallGraph.OUTSIDE, 0);
+
     private ObservedCalls() {}
 
-    private record ObservedCall(ActorCell actor, QueueEntry node) implements CallObserver.Call {
+    record ObservedCall(ActorCell actor, QueueEntry node) implements CallObserver.Call {
+        @Override
+        public boolean isRequest() {
+            return node instanceof Request<?>;
+        }
+
         @Override
         public boolean isPassedOn() {
             return actor.forwards();
@@ -46,13 +53,26 @@ final class ObservedCalls {
         }
     }
 
+    /** See {@link CallObserver#servedCall}. */
+    static CallObserver.@Nullable Call served() {
+        return Home.current() instanceof SpaceHome here ? here.served() : null;
+    }
+
+    static void held(CallObserver observer, ActorCell actor) {
+        guard(actor.space(), () -> observer.held(party(actor)));
+    }
+
+    static void released(CallObserver observer, ActorCell actor) {
+        guard(actor.space(), () -> observer.released(party(actor)));
+    }
+
     static void called(CallObserver observer, ActorCell actor, QueueEntry call) {
         guard(
                 actor.space(),
                 () -> observer.called(
                         Home.current() instanceof SpaceHome here
                                 ? party(here.owner())
-                                : new CallObserver.Party("", CallGraph.OUTSIDE),
+                                : OUTSIDE,
                         party(actor),
                         new ObservedCall(actor, call)));
     }
@@ -72,7 +92,7 @@ final class ObservedCalls {
                 () -> observer.returned(
                         Home.current() instanceof SpaceHome here
                                 ? party(here.owner())
-                                : new CallObserver.Party("", CallGraph.OUTSIDE),
+                                : OUTSIDE,
                         party(reader)));
     }
 
@@ -127,6 +147,16 @@ final class ObservedCalls {
         }
 
         @Override
+        public void held(Party actor) {
+            both(() -> first.held(actor), () -> second.held(actor));
+        }
+
+        @Override
+        public void released(Party actor) {
+            both(() -> first.released(actor), () -> second.released(actor));
+        }
+
+        @Override
         public void returned(Party from, Party to) {
             both(() -> first.returned(from, to), () -> second.returned(from, to));
         }
@@ -167,10 +197,10 @@ final class ObservedCalls {
     private static CallObserver.Party party(TurnOwner owner) {
         return owner instanceof Incarnation life
                 ? party(life.cell())
-                : new CallObserver.Party(owner.home().toString(), CallGraph.TASKS);
+                : new CallObserver.Party(owner.home().toString(), CallGraph.TASKS, 0);
     }
 
     private static CallObserver.Party party(ActorCell actor) {
-        return new CallObserver.Party(actor.space().toString(), actor.label());
+        return new CallObserver.Party(actor.space().toString(), actor.label(), actor.unnamedNumber());
     }
 }

@@ -28,6 +28,7 @@ final class SequentialBodies {
         var end = new Deferred<T>(space, null);
         var sequence = new Body<T>(space, owner, body, end);
         sequence.limit = space.isCurrent() ? space.limit() : null;
+        sequence.served = space.isCurrent() ? space.served() : null;
         space.enqueueMessage(new Entry(() -> lend(sequence), () -> end.reject(closed())));
         return end;
     }
@@ -39,10 +40,12 @@ final class SequentialBodies {
         space.begin(sequence.owner());
         TimeLimit before = space.limit();
         space.setLimit(sequence.limit);
+        var servedBefore = space.serve(sequence.served);
         try {
             sequence.resume();
         } finally {
             running = null;
+            space.serve(servedBefore);
             space.setLimit(before);
         }
     }
@@ -123,6 +126,7 @@ final class SequentialBodies {
         private final Deferred<T> end;
         private volatile boolean hasControl; // true while the body has control
         private @Nullable TimeLimit limit; // while it waits; accessed by the thread that has control
+        private ObservedCalls.@Nullable ObservedCall served;
         private @Nullable Thread spaceThread;
         private @Nullable Thread thread;
         private boolean begun;

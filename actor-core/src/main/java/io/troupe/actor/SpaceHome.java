@@ -28,6 +28,7 @@ final class SpaceHome extends Home {
     private final IdleStrategy idle = new IdleStrategy();
     private @Nullable Thread thread; // the thread that has control now; only that thread finds itself here
     private @Nullable TimeLimit limit; // of the current turn; most turns have none
+    private ObservedCalls.@Nullable ObservedCall served; // by the current turn; only in spaces with an observer
     private @Nullable SpaceThread ownThread; // set once, before it is started
     private volatile @Nullable ClassLoader contextClassLoader; // null when the space has ended
 
@@ -268,14 +269,29 @@ final class SpaceHome extends Home {
         }
     }
 
+    /** See {@link CallObserver#servedCall}; on this space's thread. */
+    ObservedCalls.@Nullable ObservedCall served() {
+        return served;
+    }
+
+    /** Sets the call that is served, and returns the one before; on this space's thread. */
+    ObservedCalls.@Nullable ObservedCall serve(ObservedCalls.@Nullable ObservedCall next) {
+        var before = served;
+        served = next;
+        return before;
+    }
+
     private Supplier<Runnable> observed(CallObserver observer, @Nullable Supplier<Runnable> context) {
+        var captured = isCurrent() ? served : null;
         return () -> {
             Runnable end = context == null ? () -> {} : context.get();
             if (!isCurrent()) {
                 return end; // it is closed
             }
             CallObserver.Turn turn = ObservedCalls.turnBegun(observer, this, owner());
+            var before = serve(captured);
             return () -> {
+                serve(before);
                 turn.end();
                 end.run();
             };

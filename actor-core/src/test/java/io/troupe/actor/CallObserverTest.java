@@ -187,4 +187,96 @@ class CallObserverTest {
         store(Promise.of(1), ActorSettings.named("store")).put("pen");
         assertThat(log).containsExactly("1 outside calls store.put[pen]", "2 outside calls store.put[pen]");
     }
+
+    interface Reader {
+        Promise<String> read(Store from);
+    }
+
+    /** The call that is served, where it is asked for: in the turn, a listener, a body, a timer, and after its end. */
+    @Test
+    void servedCall_isThatOfTheTurn_ofItsListenersAndBodies_andOfNoTimer() {
+        var seen = new ArrayList<String>();
+        Runnable note = () -> {
+            var served = CallObserver.servedCall();
+            seen.add(served == null ? "none" : served.method() + " " + served.isRequest());
+        };
+        Store store = store(Promise.of(1), ActorSettings.named("store"));
+        class Reading extends Actor implements Reader {
+            @Override
+            public Promise<String> read(Store from) {
+                note.run();
+                context().after(Duration.ZERO, note);
+                return from.count("pen").thenCompose(count -> {
+                    note.run();
+                    return space.sequential(() -> {
+                        from.count("ink").await();
+                        note.run();
+                        return "both";
+                    });
+                });
+            }
+        }
+        Reader reader = space.spawn(Reader.class, Reading::new);
+        reader.read(store);
+        space.runQueued();
+        note.run();
+        assertThat(seen).containsExactlyInAnyOrder("read true", "read true", "read true", "none", "none");
+    }
+
+    interface Door {
+        void shut();
+
+        void open();
+
+        Promise<Integer> enter();
+    }
+
+    @Test
+    void holdAndRelease_areObserved_eachOnce_alsoWhenTheActorStops() {
+        space.close();
+        space = space(new CallObserver() {
+            @Override
+            public void held(Party actor) {
+                log.add(actor + " holds");
+            }
+
+            @Override
+            public void released(Party actor) {
+                log.add(actor + " takes calls");
+            }
+        });
+        class Gate extends Actor implements Door {
+            @Override
+            public void shut() {
+                context().hold();
+                context().hold();
+                context().after(Duration.ZERO, this::open);
+            }
+
+            @Override
+            public void open() {
+                context().release();
+                context().release();
+            }
+
+            @Override
+            public Promise<Integer> enter() {
+                return Promise.of(1);
+            }
+        }
+        Door door = space.spawn(Door.class, Gate::new);
+        door.shut();
+        space.runQueued();
+        assertThat(log).containsExactly("Door#1 holds", "Door#1 takes calls");
+        log.clear();
+        Door other = space.spawn(Door.class, () -> new Gate() {
+            @Override
+            public void open() {}
+        });
+        other.shut();
+        space.runQueued();
+        space.stop(other);
+        space.runQueued();
+        assertThat(log).containsExactly("Door#2 holds", "Door#2 takes calls");
+    }
 }

@@ -2,6 +2,7 @@ package io.troupe.actor.testkit;
 
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.CallObserver;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.ManualClock;
 import io.troupe.actor.Promise;
@@ -39,14 +40,22 @@ public final class TestSpace implements AutoCloseable {
     private final List<Problem> problems = new ArrayList<>();
     private final List<DeadLetter> deadLetters = new ArrayList<>();
     private final List<Probe<?>> probes = new ArrayList<>();
-    private final ActorSpace space = ActorSpace.create(SpaceSettings.named("test-space")
-            .withClock(clock)
-            .withOnError((where, error) -> problems.add(new Problem(where, error)))
-            .withOnDeadLetter(deadLetters::add)
-            .withoutThread());
+    private final ActorSpace space;
 
     /** Creates a space whose clock shows 0. */
-    public TestSpace() {}
+    public TestSpace() {
+        this(null);
+    }
+
+    /** Creates a space whose clock shows 0, and whose calls are observed, for example by a {@link RingFinder}. */
+    public TestSpace(@Nullable CallObserver observer) {
+        var settings = SpaceSettings.named("test-space")
+                .withClock(clock)
+                .withOnError((where, error) -> problems.add(new Problem(where, error)))
+                .withOnDeadLetter(deadLetters::add)
+                .withoutThread();
+        space = ActorSpace.create(observer == null ? settings : settings.withCallObserver(observer));
+    }
 
     public ActorSpace space() {
         return space;

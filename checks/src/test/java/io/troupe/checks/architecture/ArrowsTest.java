@@ -96,11 +96,12 @@ class ArrowsTest {
         "sim.model,             common..",
         "sim.worldfile,         sim.model common..",
         "services..,            actor.. bus bus.internal broker.. player.. common..",
-        "petri..,               common.. drawing",
+        "petri..,               common.. drawing actor actor.testkit",
         "petri,                 common.. drawing",
         "petri.structure,       petri",
         "petri.deadlock,        petri petri.structure",
         "petri.bip,             petri common..",
+        "petri.drawing,         petri petri.bip drawing",
         "view..,                actor.. bus broker.. player.. sim.. services.. common.. drawing",
         "paper,                 actor.. player.. sim.. services.."
     })

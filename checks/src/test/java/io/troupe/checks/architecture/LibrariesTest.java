@@ -26,6 +26,7 @@ class LibrariesTest {
         "org.eclipse.xtext..,      io.troupe.petri.drawing",
         "com.google.common..,      io.troupe.petri.drawing",
         "org.assertj..,            io.troupe.petri.testkit",
+        "org.junit..,              io.troupe.petri.testkit",
         "org.jctools..,            io.troupe.bench..",
         "io.vertx..,               io.troupe.bench..",
         "org.apache.pekko..,       io.troupe.bench..",

@@ -3,6 +3,8 @@ package io.troupe.demo.monitor;
 import io.troupe.actor.CallObserver;
 import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import io.troupe.petri.wiring.WiringMonitor;
+import io.troupe.petri.wiring.WiringObserver;
+import io.troupe.petri.wiring.WiringObserver.Followed;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
@@ -15,6 +17,7 @@ import io.troupe.view.RecordedRun;
 import io.troupe.view.RunRecorder;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -168,22 +171,33 @@ public final class RunMonitor {
         return new CallObserver() {
             @Override
             public void called(Party from, Party to, Call call) {
-                if (call.type() == RobotServices.class) {
-                    if (!call.isPassedOn()) {
-                        RunMonitor.this.called(call);
-                    }
-                } else if (call.type() == Arbitrator.class && call.method().equals("live")) {
+                if (call.type() == Arbitrator.class && call.method().equals("live")) {
                     alive();
                 }
             }
 
             @Override
             public void begun(Party actor, Call call) {
-                if (call.type() == RobotServices.class && !call.isPassedOn()) {
-                    RunMonitor.this.begun(call);
+                if (isOfServices(call) && isStop(call)) {
+                    stopping(robot(call));
                 }
             }
-        };
+        }.and(new WiringObserver(monitor, (from, to, call) -> isOfServices(call) ? Optional.of(of(call)) : Optional.empty()));
+    }
+
+    private static boolean isOfServices(CallObserver.Call call) {
+        return call.type() == RobotServices.class && !call.isPassedOn();
+    }
+
+    /** A stop is answered when it is done, a start when it begins. */
+    private Followed of(CallObserver.Call call) {
+        int robot = robot(call);
+        if (isStop(call)) {
+            stopCalled(robot);
+            return new Followed(name("stopper", robot), name("service", robot) + ".stop", false, error -> failed(robot));
+        }
+        startCalled(robot);
+        return new Followed(name("starter", robot), name("service", robot) + ".begin", true, error -> failed(robot));
     }
 
     private static int robot(CallObserver.Call call) {
@@ -198,24 +212,19 @@ public final class RunMonitor {
         return call.method().equals("stop");
     }
 
-    private synchronized void called(CallObserver.Call call) {
-        int robot = robot(call);
-        if (isStop(call)) {
-            stopsEnded(robot);
-            stopped = robot + 1;
-            asksStop(robot);
-            call.whenSettled(error -> {
-                if (error == null) {
-                    monitor.answered(name("stopper", robot), name("service", robot) + ".stop");
-                } else {
-                    failed(robot);
-                }
-            });
-        } else {
-            stopping.remove(robot);
-            monitor.called("arbitrator", name("starter", robot) + ".send");
-            monitor.asked(name("starter", robot), name("service", robot) + ".begin");
-        }
+    private synchronized void stopCalled(int robot) {
+        stopsEnded(robot);
+        stopped = robot + 1;
+        monitor.called("arbitrator", name("stopper", robot) + ".send");
+    }
+
+    private synchronized void startCalled(int robot) {
+        stopping.remove(robot);
+        monitor.called("arbitrator", name("starter", robot) + ".send");
+    }
+
+    private synchronized void stopping(int robot) {
+        stopping.add(robot);
     }
 
     /** The arbitrator stops all services, in the order of robots; one that has ended by itself needs no message. */
@@ -225,32 +234,8 @@ public final class RunMonitor {
             monitor.called("inbox", "arbitrator.change");
         }
         for (int robot = stopped; robot < upTo; robot++) {
-            asksStop(robot);
-            monitor.taken(name("stopper", robot), name("service", robot) + ".stop");
-            monitor.answered(name("stopper", robot), name("service", robot) + ".stop");
-        }
-    }
-
-    private void asksStop(int robot) {
-        monitor.called("arbitrator", name("stopper", robot) + ".send");
-        monitor.asked(name("stopper", robot), name("service", robot) + ".stop");
-    }
-
-    private void begun(CallObserver.Call call) {
-        int robot = robot(call);
-        if (isStop(call)) {
-            synchronized (this) {
-                stopping.add(robot);
-            }
-            monitor.taken(name("stopper", robot), name("service", robot) + ".stop");
-        } else {
-            monitor.taken(name("starter", robot), name("service", robot) + ".begin");
-            monitor.answered(name("starter", robot), name("service", robot) + ".begin");
-            call.whenSettled(error -> {
-                if (error != null) {
-                    failed(robot);
-                }
-            });
+            monitor.called("arbitrator", name("stopper", robot) + ".send");
+            monitor.called(name("stopper", robot), name("service", robot) + ".stop");
         }
     }
 

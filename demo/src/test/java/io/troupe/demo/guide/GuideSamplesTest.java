@@ -11,7 +11,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.CallObserver;
 import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
@@ -33,6 +32,7 @@ import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringCheck;
 import io.troupe.petri.wiring.WiringMonitor;
+import io.troupe.petri.wiring.WiringObserver;
 import io.troupe.petri.wiring.WiringResult.Deadlock;
 import io.troupe.petri.wiring.WiringResult.Proved;
 import io.troupe.services.behaviour.Avoid;
@@ -61,9 +61,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -109,36 +107,6 @@ class GuideSamplesTest {
                 .build();
     }
 
-    /** Reports the calls between actors that are named as the components of a wiring. */
-    private static final class FollowedCalls implements CallObserver {
-        private final Wiring wiring;
-        private final WiringMonitor monitor;
-        private final Map<Call, String> callers = new ConcurrentHashMap<>();
-
-        FollowedCalls(Wiring wiring, WiringMonitor monitor) {
-            this.wiring = wiring;
-            this.monitor = monitor;
-        }
-
-        @Override
-        public void called(Party from, Party to, Call call) {
-            if (wiring.components().contains(from.name())) {
-                callers.put(call, from.name());
-                monitor.asked(from.name(), to.name() + "." + call.method());
-            }
-        }
-
-        @Override
-        public void begun(Party actor, Call call) {
-            String caller = callers.remove(call);
-            if (caller != null) {
-                String target = actor.name() + "." + call.method();
-                monitor.taken(caller, target);
-                call.whenSettled(error -> monitor.answered(caller, target));
-            }
-        }
-    }
-
     interface Store {
         Promise<Boolean> keep(String picture);
     }
@@ -156,7 +124,7 @@ class GuideSamplesTest {
                 .build();
         var kept = new ArrayList<String>();
         var monitor = WiringMonitor.of(wiring);
-        var settings = SpaceSettings.named("pictures").withCallObserver(new FollowedCalls(wiring, monitor));
+        var settings = SpaceSettings.named("pictures").withCallObserver(new WiringObserver(monitor));
         try (var space = ActorSpace.create(settings.withoutThread())) {
             Store store = space.spawn(
                     Store.class,

@@ -1,4 +1,4 @@
-/** Assertions for unit tests of wirings; they need AssertJ, which nothing else here does. */
+/** For unit tests: assertions about wirings, which need AssertJ, and actors that are followed, which need JUnit 5. */
 @NullMarked
 package io.troupe.petri.testkit;
 

@@ -74,7 +74,17 @@ public final class Protocol {
 
     /** Starts a declaration; a component starts in the state that is declared first. */
     public static ProtocolBuilder of(String name) {
-        return new ProtocolBuilder(name);
+        return new ProtocolBuilder(name, Optional.empty());
+    }
+
+    /**
+     * Starts the declaration of an actor: what it provides, streams and receives must be methods of its type, which
+     * return a promise (or suspend), have a callback, or return {@code void}.
+     *
+     * @param actor as for {@code ActorSpace.spawn}; needs {@code troupe-actor-core} on the class path
+     */
+    public static ProtocolBuilder of(String name, Class<?> actor) {
+        return new ProtocolBuilder(name, Optional.of(ActorWords.of(name, actor)));
     }
 
     /** A private step; the label describes it in the counterexamples. */

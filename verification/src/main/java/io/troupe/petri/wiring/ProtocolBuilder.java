@@ -26,13 +26,15 @@ public final class ProtocolBuilder {
     private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}_-]+");
 
     private final String name;
+    private final Optional<ActorWords> actor;
     private final List<String> states = new ArrayList<>();
     private final List<Step> steps = new ArrayList<>();
     private Optional<String> failure = Optional.empty();
 
-    ProtocolBuilder(String name) {
+    ProtocolBuilder(String name, Optional<ActorWords> actor) {
         requireName("the name of a protocol", requireNonNull(name, "name"));
         this.name = name;
+        this.actor = actor;
     }
 
     /**
@@ -68,6 +70,7 @@ public final class ProtocolBuilder {
                     requireTarget(state, branch);
                 } else {
                     requireWord(wordOf(branch.kind()), branch.what());
+                    actor.ifPresent(words -> words.require(state, branch));
                 }
             }
         }

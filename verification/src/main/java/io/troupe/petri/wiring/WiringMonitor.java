@@ -324,6 +324,10 @@ public final class WiringMonitor {
         }
     }
 
+    Wiring wiring() {
+        return wiring;
+    }
+
     /** The number of events that were allowed. */
     public synchronized long count() {
         return count;

@@ -1,0 +1,205 @@
+package io.troupe.petri.testkit;
+
+import static java.util.Objects.requireNonNull;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.CallObserver;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.testkit.RingFinder;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.petri.wiring.Wiring;
+import io.troupe.petri.wiring.WiringMonitor;
+import io.troupe.petri.wiring.WiringObserver;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
+
+/**
+ * A JUnit extension that follows the actors of each test, and fails a test whose actors wait for each other in a ring,
+ * or leave their declaration. The message is the story.
+ *
+ * {@snippet :
+ * @RegisterExtension
+ * final FollowedActors actors = FollowedActors.forRings();
+ *
+ * @Test
+ * void purchase_isPaid() {
+ *     var test = actors.testSpace();
+ *     Bank bank = test.spawn(Bank.class, SmallBank::new);
+ *     Shop shop = test.spawn(Shop.class, () -> new CornerShop(bank));
+ *     assertThat(test.get(shop.buy("lamp"))).isEqualTo("paid");
+ * }
+ * }
+ *
+ * <p>Actors are followed in the spaces of this extension, which the end of the test closes: {@link #testSpace}, and
+ * {@link #space} for a space with a thread. Spaces that the test makes and closes itself are followed by
+ * {@link #observer}; at their end nothing can be said about what is still open, except that a ring has blocked.
+ *
+ * <p><b>Role.</b> For tests whose class path has JUnit 5 and {@code troupe-actor-core}. What is found without a
+ * declaration is described in {@link RingFinder}; how calls are compared with one, in {@link WiringObserver}.
+ *
+ * <p><b>Threads.</b> The test's thread; the spaces may have others.
+ *
+ * <p><b>Errors.</b> {@link AssertionError} for a ring that blocks or is possible, and
+ * {@link WiringMonitor.ViolationException} for what is not declared. If the test has failed already, they are added to
+ * its failure.
+ */
+public final class FollowedActors implements BeforeEachCallback, AfterEachCallback {
+    private static final long QUIET_WITHIN_SECONDS = 60;
+
+    private final @Nullable Wiring wiring;
+    private final WiringObserver.@Nullable Translation translation;
+    private Followed now;
+
+    /** What is followed in one test. */
+    private static final class Followed {
+        final RingFinder rings = new RingFinder();
+        final Optional<WiringMonitor> monitor;
+        final CallObserver observer;
+        final AtomicLong events = new AtomicLong();
+        final List<ActorSpace> spaces = new ArrayList<>();
+        @Nullable TestSpace testSpace;
+
+        Followed(Optional<WiringMonitor> monitor, Optional<CallObserver> declared) {
+            this.monitor = monitor;
+            var counter = new CallObserver() {
+                @Override
+                public void called(Party from, Party to, Call call) {
+                    events.incrementAndGet();
+                }
+            };
+            observer = declared.map(counter::and).orElse(counter).and(rings);
+        }
+    }
+
+    private FollowedActors(@Nullable Wiring wiring, WiringObserver.@Nullable Translation translation) {
+        this.wiring = wiring;
+        this.translation = translation;
+        this.now = begin();
+    }
+
+    /** Fails a test on a ring; nothing is declared. */
+    public static FollowedActors forRings() {
+        return new FollowedActors(null, null);
+    }
+
+    /** Fails a test also when an actor leaves the protocol of its component in this wiring. */
+    public static FollowedActors through(Wiring wiring) {
+        return new FollowedActors(requireNonNull(wiring, "wiring"), null);
+    }
+
+    /** Like {@link #through(Wiring)}, for calls that have other names in the wiring. */
+    public static FollowedActors through(Wiring wiring, WiringObserver.Translation translation) {
+        return new FollowedActors(requireNonNull(wiring, "wiring"), requireNonNull(translation, "translation"));
+    }
+
+    private Followed begin() {
+        var monitor = Optional.ofNullable(wiring).map(WiringMonitor::of);
+        return new Followed(
+                monitor,
+                monitor.map(each -> translation == null
+                        ? new WiringObserver(each)
+                        : new WiringObserver(each, translation)));
+    }
+
+    /** The space of this test, without a thread; made by the first call. */
+    public TestSpace testSpace() {
+        if (now.testSpace == null) {
+            now.testSpace = new TestSpace(now.observer);
+        }
+        return now.testSpace;
+    }
+
+    /** Creates a space with these settings. At the end of the test it has to come to rest, and is closed. */
+    public ActorSpace space(SpaceSettings settings) {
+        CallObserver other = settings.callObserver();
+        var space = ActorSpace.create(
+                settings.withCallObserver(other == null ? now.observer : now.observer.and(other)));
+        now.spaces.add(space);
+        return space;
+    }
+
+    /** For the settings of spaces that the test closes itself. */
+    public CallObserver observer() {
+        return now.observer;
+    }
+
+    /** The rings of this test so far. */
+    public RingFinder rings() {
+        return now.rings;
+    }
+
+    /** For events that no call is, and for what must never be. */
+    public WiringMonitor monitor() {
+        return now.monitor.orElseThrow(
+                () -> new IllegalStateException("there is no wiring, expected FollowedActors.through(wiring)"));
+    }
+
+    /** For JUnit. */
+    @Override
+    public void beforeEach(ExtensionContext context) {
+        now = begin();
+    }
+
+    /** For JUnit. */
+    @Override
+    public void afterEach(ExtensionContext context) throws InterruptedException {
+        if (comesToRest()) {
+            now.rings.idle();
+            now.monitor.ifPresent(WiringMonitor::idle);
+        }
+        now.monitor.ifPresent(WiringMonitor::end);
+        var failures = new ArrayList<Throwable>();
+        attempt(failures, () -> now.monitor.ifPresent(WiringMonitor::check));
+        attempt(failures, now.rings::check);
+        if (now.testSpace != null) {
+            attempt(failures, now.testSpace::close);
+        }
+        now.spaces.forEach(space -> attempt(failures, space::close));
+        if (!failures.isEmpty()) {
+            var first = failures.removeFirst();
+            failures.forEach(first::addSuppressed);
+            FollowedActors.<RuntimeException>rethrow(first);
+        }
+    }
+
+    private static void attempt(List<Throwable> failures, Runnable step) {
+        try {
+            step.run();
+        } catch (Throwable failure) { // of a test: all of them are reported
+            failures.add(failure);
+        }
+    }
+
+    @SuppressWarnings("unchecked") // thrown as it is: it is an error or unchecked
+    private static <E extends Throwable> void rethrow(Throwable failure) throws E {
+        throw (E) failure;
+    }
+
+    /** Lets the spaces run until they have nothing to do; false if they always have. */
+    private boolean comesToRest() throws InterruptedException {
+        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(QUIET_WITHIN_SECONDS);
+        long before;
+        do {
+            before = now.events.get();
+            if (now.testSpace != null) {
+                now.testSpace.runQueued();
+            }
+            for (var space : now.spaces) {
+                var idle = new CountDownLatch(1);
+                space.onIdle(idle::countDown);
+                if (!idle.await(deadline - System.nanoTime(), TimeUnit.NANOSECONDS)) {
+                    return false;
+                }
+            }
+        } while (now.events.get() != before && System.nanoTime() < deadline);
+        return true;
+    }
+}

@@ -1,0 +1,75 @@
+package io.troupe.petri.wiring;
+
+import io.troupe.actor.CallGraph;
+import io.troupe.actor.CallObserver;
+import io.troupe.actor.CallObserver.Call;
+import io.troupe.actor.CallObserver.Party;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The names of actors as components: that of their settings, or that of their type with a small letter. A second actor
+ * of a name gets a 2 after it, and so on in the order in which they are seen; where {@code name1} is a component and
+ * {@code name} is none, the first one gets a 1.
+ *
+ * <p>A connection to a service is no component: what it passes on is a call of the actor that has called it.
+ *
+ * <p><b>Threads.</b> Not thread-safe.
+ */
+final class ActorNames {
+    private final Predicate<String> isComponent;
+    private final Map<Party, String> names = new HashMap<>();
+    private final Map<String, Integer> counts = new HashMap<>();
+    private final Map<Party, Deque<Passing>> connections = new HashMap<>();
+
+    /** A call to a connection, which that has not passed on yet. */
+    private record Passing(Call call, Party caller) {}
+
+    ActorNames(Predicate<String> isComponent) {
+        this.isComponent = isComponent;
+    }
+
+    static boolean isActor(Party party) {
+        return !party.name().equals(CallGraph.OUTSIDE) && !party.name().equals(CallGraph.TASKS);
+    }
+
+    /** The name of an actor. */
+    String of(Party actor) {
+        return names.computeIfAbsent(actor, this::newName);
+    }
+
+    private String newName(Party actor) {
+        String name = actor.number() == 0
+                ? actor.name().replaceAll("[^\\p{L}\\p{N}_-]+", "-")
+                : Character.toLowerCase(actor.name().charAt(0)) + actor.name().substring(1);
+        int count = counts.merge(name, 1, Integer::sum);
+        return count == 1 && (isComponent.test(name) || !isComponent.test(name + "1")) ? name : name + count;
+    }
+
+    /** Notes a call to a connection. */
+    void passing(Party from, Party connection, Call call) {
+        connections.computeIfAbsent(connection, each -> new ArrayDeque<>()).add(new Passing(call, from));
+    }
+
+    /** Who makes a call, in truth: if a connection does, it is the actor whose call this is. */
+    Party caller(Party from, Call call) {
+        var passing = connections.get(from);
+        if (passing == null) {
+            return from;
+        }
+        @Nullable Call served = CallObserver.servedCall();
+        Optional<Passing> mine = passing.stream()
+                .filter(each -> each.call().equals(served))
+                .findFirst()
+                .or(() -> passing.stream()
+                        .filter(each -> each.call().method().equals(call.method()))
+                        .findFirst());
+        mine.ifPresent(passing::remove);
+        return mine.map(each -> caller(each.caller(), each.call())).orElse(from);
+    }
+}

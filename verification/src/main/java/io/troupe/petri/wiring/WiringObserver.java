@@ -1,0 +1,211 @@
+package io.troupe.petri.wiring;
+
+import static java.util.Objects.requireNonNull;
+
+import io.troupe.actor.CallObserver;
+import io.troupe.petri.wiring.ProtocolEvent.Kind;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reports the calls of actors to a {@link WiringMonitor}: the observer of a space whose actors are the components of a
+ * wiring.
+ *
+ * {@snippet :
+ * var monitor = WiringMonitor.of(wiring);
+ * var settings = SpaceSettings.named("pictures").withCallObserver(new WiringObserver(monitor));
+ * }
+ *
+ * <p>The name of an actor is that of its component; of an actor without a name, that of its type with a small letter. A
+ * method that the component {@code receives} is a message; any other is a call, which is taken when it begins, and
+ * answered when its promise is settled, also by an error unless the component rejects the call. A caller that
+ * {@code asks} gets the answer then. What is passed on by a connection to a service is a call of its caller.
+ *
+ * <p>A call of a component to an actor that the wiring does not have is a violation, and so is a call that the
+ * component answers to others, made by an actor that the wiring does not have, or from outside if it is not
+ * {@linkplain WiringBuilder#open open}. Other calls from outside are no part of the wiring: they are private steps.
+ *
+ * <p><b>Role.</b> Needs {@code troupe-actor-core} on the class path. What a program calls otherwise than its wiring does
+ * is translated: {@link #WiringObserver(WiringMonitor, Translation)}. The results of streams, and messages that a
+ * bounded mailbox refuses, are not seen: report them to the monitor.
+ *
+ * <p><b>Threads.</b> Any thread; spaces may share one.
+ */
+public final class WiringObserver implements CallObserver {
+    /** What a call of an actor is in a wiring. */
+    public interface Translation {
+        /**
+         * Called once for each request and message, before it is reported.
+         *
+         * @return empty if it is no part of the wiring
+         */
+        Optional<Followed> of(Party from, Party to, Call call);
+    }
+
+    /**
+     * A call as the wiring has it.
+     *
+     * @param caller the component that makes it
+     * @param target {@code component.call}
+     * @param isAnsweredAtOnce whether it is answered when it begins, not when its promise is settled
+     * @param failed what is done in place of the answer when the promise is settled with an error; null to report an
+     *     answer or a rejection
+     */
+    public record Followed(
+            String caller,
+            String target,
+            boolean isAnsweredAtOnce,
+            @Nullable Consumer<Throwable> failed) {
+        /** A call that is answered when its promise is settled. */
+        public static Followed of(String caller, String target) {
+            return new Followed(caller, target, false, null);
+        }
+    }
+
+    private final WiringMonitor monitor;
+    private final Wiring wiring;
+    private final ActorNames names;
+    private final Translation translation;
+    private final Map<Call, Followed> queued = new HashMap<>(); // guarded by this, as is names
+
+    public WiringObserver(WiringMonitor monitor) {
+        this.monitor = requireNonNull(monitor, "monitor");
+        this.wiring = monitor.wiring();
+        this.names = new ActorNames(wiring.components()::contains);
+        this.translation = this::byName;
+    }
+
+    /** @param translation finds the components and the calls, in place of the names of actors and methods */
+    public WiringObserver(WiringMonitor monitor, Translation translation) {
+        this.monitor = requireNonNull(monitor, "monitor");
+        this.wiring = monitor.wiring();
+        this.names = new ActorNames(wiring.components()::contains);
+        this.translation = requireNonNull(translation, "translation");
+    }
+
+    @Override
+    public void called(Party from, Party to, Call call) {
+        translation.of(from, to, call).ifPresent(followed -> {
+            synchronized (this) {
+                queued.put(call, followed);
+            }
+            if (isMessage(followed)) {
+                monitor.on(Kind.SENT, followed.caller(), followed.target());
+            } else {
+                monitor.asked(followed.caller(), followed.target());
+            }
+            call.whenSettled(error -> settled(call, followed, error));
+        });
+    }
+
+    private Optional<Followed> byName(Party from, Party to, Call call) {
+        synchronized (this) {
+            if (call.isPassedOn()) {
+                names.passing(from, to, call);
+                return Optional.empty();
+            }
+            Party caller = names.caller(from, call);
+            String target = names.of(to) + "." + call.method();
+            if (ActorNames.isActor(caller) && wiring.components().contains(names.of(caller))) {
+                return names.of(caller).equals(names.of(to)) // a call of itself is a private step
+                        ? Optional.empty()
+                        : Optional.of(Followed.of(names.of(caller), target));
+            }
+            boolean isForOthers = offers(target) && !wiring.isOpen(target);
+            return isForOthers
+                    ? Optional.of(Followed.of(ActorNames.isActor(caller) ? names.of(caller) : caller.name(), target))
+                    : Optional.empty();
+        }
+    }
+
+    private boolean offers(String target) {
+        String component = target.substring(0, target.indexOf('.'));
+        String call = target.substring(target.indexOf('.') + 1);
+        return wiring.components().contains(component)
+                && (wiring.protocol(component).offers(call)
+                        || wiring.protocol(component).received().contains(call));
+    }
+
+    private boolean isMessage(Followed followed) {
+        String component = component(followed);
+        return wiring.components().contains(component)
+                && wiring.protocol(component).received().contains(method(followed));
+    }
+
+    private static String component(Followed followed) {
+        return followed.target().substring(0, followed.target().indexOf('.'));
+    }
+
+    private static String method(Followed followed) {
+        return followed.target().substring(followed.target().indexOf('.') + 1);
+    }
+
+    private synchronized @Nullable Followed dequeue(Call call) {
+        return queued.remove(call);
+    }
+
+    @Override
+    public void begun(Party actor, Call call) {
+        Followed followed = dequeue(call);
+        if (followed == null) {
+            return;
+        }
+        if (isMessage(followed)) {
+            monitor.on(Kind.RECEIVED, component(followed), method(followed));
+            return;
+        }
+        monitor.taken(followed.caller(), followed.target());
+        if (followed.isAnsweredAtOnce()) {
+            answered(followed);
+        }
+    }
+
+    private void settled(Call call, Followed followed, @Nullable Throwable error) {
+        boolean isBegun = dequeue(call) == null;
+        if (error != null && followed.failed() != null) {
+            followed.failed().accept(error);
+        } else if (error != null && !isBegun && isGivenUp(error)) {
+            monitor.on(asks(followed) ? Kind.GAVE_UP : Kind.TIMED_OUT, followed.caller(), followed.target());
+        } else if (error != null && (!isBegun || mayReject(followed))) {
+            monitor.on(Kind.REJECTED, followed.caller(), followed.target());
+            takes(followed, Kind.GOT_REJECTION);
+        } else if (!followed.isAnsweredAtOnce()) {
+            answered(followed);
+        }
+    }
+
+    private static boolean isGivenUp(Throwable error) {
+        return error instanceof CancellationException || error instanceof TimeoutException;
+    }
+
+    private boolean mayReject(Followed followed) {
+        String component = component(followed);
+        return wiring.components().contains(component)
+                && wiring.protocol(component).mayReject(method(followed));
+    }
+
+    private void answered(Followed followed) {
+        monitor.answered(followed.caller(), followed.target());
+        takes(followed, Kind.GOT_ANSWER);
+    }
+
+    /** The caller goes on, if it has not waited. */
+    private void takes(Followed followed, Kind how) {
+        if (asks(followed)) {
+            monitor.on(how, followed.caller(), followed.target());
+        }
+    }
+
+    private boolean asks(Followed followed) {
+        return wiring.components().contains(followed.caller())
+                && wiring.protocol(followed.caller())
+                        .steps(Step.Asks.class)
+                        .anyMatch(step -> step.call().equals(method(followed))
+                                && wiring.provider(followed.caller(), step).equals(component(followed)));
+    }
+}

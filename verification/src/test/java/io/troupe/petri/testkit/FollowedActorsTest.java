@@ -1,0 +1,188 @@
+package io.troupe.petri.testkit;
+
+import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.requests;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.ActorSettings;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.testkit.RingFinder;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.petri.wiring.Protocol;
+import io.troupe.petri.wiring.Wiring;
+import io.troupe.petri.wiring.WiringMonitor.ViolationException;
+import java.lang.reflect.Proxy;
+import java.time.Duration;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.jupiter.api.extension.RegisterExtension;
+
+/** Tests that pass, and what the others end with. */
+class FollowedActorsTest {
+    @RegisterExtension
+    final FollowedActors actors = FollowedActors.forRings();
+
+    interface Bank {
+        Promise<String> pay(Shop shop, int amount);
+    }
+
+    interface Shop {
+        Promise<String> buy(String what);
+
+        Promise<Integer> price(String what);
+    }
+
+    private static class SmallBank implements Bank {
+        @Override
+        public Promise<String> pay(Shop shop, int amount) {
+            return shop.price("lamp").thenApply(price -> price <= amount ? "paid" : "refused");
+        }
+    }
+
+    private static class CornerShop extends Actor implements Shop {
+        private final Bank bank;
+
+        CornerShop(Bank bank) {
+            this.bank = bank;
+        }
+
+        @Override
+        public Promise<String> buy(String what) {
+            return bank.pay(self(), 5);
+        }
+
+        @Override
+        public Promise<Integer> price(String what) {
+            return Promise.of(5);
+        }
+    }
+
+    /** Sells one thing after the other. */
+    private static final class BusyShop extends CornerShop {
+        BusyShop(Bank bank) {
+            super(bank);
+        }
+
+        @Override
+        public Promise<String> buy(String what) {
+            context().hold();
+            return super.buy(what).thenApply(paid -> {
+                context().release();
+                return paid;
+            });
+        }
+    }
+
+    @Test
+    void purchase_isPaid() {
+        var test = actors.testSpace();
+        Bank bank = test.spawn(Bank.class, SmallBank::new);
+        Shop shop = test.spawn(Shop.class, () -> new CornerShop(bank));
+        assertThat(test.get(shop.buy("lamp"))).isEqualTo("paid");
+        assertThat(actors.rings().rings())
+                .singleElement()
+                .satisfies(ring -> assertThat(ring.kind()).isEqualTo(RingFinder.Kind.PASSED));
+    }
+
+    /** What JUnit does with a test method. */
+    private static Throwable ended(FollowedActors actors, Consumer<FollowedActors> test) {
+        var context = (ExtensionContext) Proxy.newProxyInstance(
+                FollowedActorsTest.class.getClassLoader(), new Class<?>[] {ExtensionContext.class}, (proxy, it, with) -> {
+                    throw new UnsupportedOperationException(it.getName());
+                });
+        actors.beforeEach(context);
+        test.accept(actors);
+        return catchThrowable(() -> actors.afterEach(context));
+    }
+
+    private static void sell(FollowedActors actors) {
+        var test = actors.testSpace();
+        Bank bank = test.spawn(Bank.class, SmallBank::new, ActorSettings.named("bank"));
+        Shop shop = test.spawn(Shop.class, () -> new BusyShop(bank), ActorSettings.named("shop"));
+        shop.buy("lamp");
+    }
+
+    private static final String RING = """
+            shop is called while it waits for that call: a ring that blocks shop, bank
+              - shop serves buy, which waits for bank.pay
+              - bank serves pay, which waits for shop.price, which that has not begun: it holds its calls""";
+
+    @Test
+    void testWithARing_failsWithItsStory_andEachTestBeginsAnew() {
+        var followed = FollowedActors.forRings();
+        assertThat(ended(followed, FollowedActorsTest::sell))
+                .isInstanceOf(AssertionError.class)
+                .hasMessage(RING);
+        assertThat(ended(followed, none -> {})).isNull();
+    }
+
+    @Test
+    void ringInASpaceThatTheTestClosesItself_isFoundWhenItIsClosed() {
+        assertThat(ended(FollowedActors.forRings(), followed -> {
+                    var test = new TestSpace(followed.observer());
+                    Bank bank = test.spawn(Bank.class, SmallBank::new, ActorSettings.named("bank"));
+                    Shop shop = test.spawn(Shop.class, () -> new BusyShop(bank), ActorSettings.named("shop"));
+                    shop.buy("lamp");
+                    test.runQueued();
+                    test.close(); // which sees nothing wrong
+                }))
+                .hasMessage(RING);
+    }
+
+    @Test
+    void ringOnAThread_isFoundWhenItsSpaceHasComeToRest() {
+        assertThat(ended(FollowedActors.forRings(), followed -> {
+                    var space = followed.space(SpaceSettings.named("street"));
+                    Bank bank = space.spawn(Bank.class, SmallBank::new, ActorSettings.named("bank"));
+                    Shop shop = space.spawn(Shop.class, () -> new BusyShop(bank), ActorSettings.named("shop"));
+                    shop.buy("lamp");
+                }))
+                .hasMessage(RING);
+    }
+
+    private static Wiring wiring() {
+        return Wiring.of("street")
+                .component(Protocol.of("shop", Shop.class)
+                        .state("open", requests("bank.pay").then("open"))
+                        .build())
+                .component(Protocol.of("bank", Bank.class)
+                        .state("open", provides("pay").then("open"))
+                        .build())
+                .build();
+    }
+
+    private static void sellAt(FollowedActors actors, Bank answering) {
+        var test = actors.testSpace();
+        Bank bank = test.spawn(Bank.class, () -> answering, ActorSettings.named("bank"));
+        Shop shop = test.spawn(Shop.class, () -> new CornerShop(bank), ActorSettings.named("shop"));
+        shop.buy("lamp");
+        test.advance(Duration.ofSeconds(1));
+    }
+
+    @Test
+    void testThatLeavesItsDeclaration_failsWithTheStory() {
+        assertThat(ended(
+                        FollowedActors.through(wiring()),
+                        followed -> sellAt(followed, (shop, amount) -> Promise.of("paid"))))
+                .isNull();
+        assertThat(ended(FollowedActors.through(wiring()), followed -> sellAt(followed, new SmallBank())))
+                .isInstanceOf(ViolationException.class)
+                .hasMessageContaining("bank asks shop.price is not allowed");
+        assertThat(ended(
+                        FollowedActors.through(wiring()),
+                        followed -> sellAt(followed, (shop, amount) -> new Deferred<>())))
+                .isInstanceOf(ViolationException.class)
+                .hasMessageContaining("shop waits for the answer of bank.pay, and nothing happens any more");
+    }
+
+    @Test
+    void monitorWithoutAWiring_isRefused() {
+        assertThatThrownBy(actors::monitor).hasMessageContaining("expected FollowedActors.through(wiring)");
+    }
+}

@@ -1,0 +1,278 @@
+package io.troupe.petri.wiring;
+
+import static io.troupe.petri.wiring.Protocol.answered;
+import static io.troupe.petri.wiring.Protocol.asks;
+import static io.troupe.petri.wiring.Protocol.cancels;
+import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.receives;
+import static io.troupe.petri.wiring.Protocol.rejects;
+import static io.troupe.petri.wiring.Protocol.requests;
+import static io.troupe.petri.wiring.Protocol.sends;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import org.junit.jupiter.api.Test;
+
+/** Actors that do what is declared, and others that do not. */
+class WiringObserverTest {
+    interface Client {
+        void go();
+    }
+
+    interface Server {
+        Promise<Integer> get();
+
+        void put(int value);
+    }
+
+    private static Protocol server() {
+        return Protocol.of("server", Server.class)
+                .state("ready", provides("get").then("ready"))
+                .build();
+    }
+
+    private static Wiring wiring(Branch... ofClient) {
+        return Wiring.of("test")
+                .component(Protocol.of("client").state("idle", ofClient).build())
+                .component(server())
+                .build();
+    }
+
+    private static class Serving extends Actor implements Server {
+        @Override
+        public Promise<Integer> get() {
+            return Promise.of(1);
+        }
+
+        @Override
+        public void put(int value) {}
+    }
+
+    private record Run(WiringMonitor monitor, List<String> events) {}
+
+    /** Runs a client that calls its server, and returns what was reported of it. */
+    private static Run run(Wiring wiring, String client, Function<Server, Object> step, Serving serving) {
+        var monitor = WiringMonitor.of(wiring).keepingEvents();
+        try (var test = new TestSpace(new WiringObserver(monitor))) {
+            Server server = test.spawn(Server.class, () -> serving);
+            Client caller =
+                    test.spawn(Client.class, () -> () -> step.apply(server), ActorSettings.named(client));
+            caller.go();
+            test.runQueued();
+            monitor.idle();
+            test.takeProblems();
+        }
+        return new Run(
+                monitor, monitor.events().stream().map(ProtocolEvent::toString).toList());
+    }
+
+    private static String problem(Run run) {
+        return run.monitor().violation().orElseThrow().problem();
+    }
+
+    @Test
+    void request_isAskedTakenAndAnswered_byActorsOfTheNamesOfComponents() {
+        var run = run(wiring(requests("server.get").then("idle")), "client", Server::get, new Serving());
+        run.monitor().check();
+        assertThat(run.events())
+                .containsExactly("client asks server.get", "server takes get from client", "server answers get to client");
+    }
+
+    @Test
+    void question_isAlsoTakenByItsCaller() {
+        var wiring = Wiring.of("test")
+                .component(Protocol.of("client")
+                        .state("idle", asks("server.get").then("waiting"))
+                        .state("waiting", answered("server.get").then("idle"))
+                        .build())
+                .component(server())
+                .build();
+        var run = run(wiring, "client", Server::get, new Serving());
+        run.monitor().check();
+        assertThat(run.events()).endsWith("client gets the answer of server.get");
+    }
+
+    @Test
+    void error_isARejection_ifOneIsDeclared() {
+        class Failing extends Serving {
+            @Override
+            public Promise<Integer> get() {
+                return Promise.failed(new IllegalStateException("no"));
+            }
+        }
+        run(wiring(requests("server.get").then("idle")), "client", Server::get, new Failing())
+                .monitor()
+                .check();
+        var wiring = Wiring.of("test")
+                .component(Protocol.of("client")
+                        .state("idle", requests("server.get").then("idle").orRejected("idle"))
+                        .build())
+                .component(Protocol.of("server", Server.class)
+                        .state("ready", provides("get").then("ready"), rejects("get").then("ready"))
+                        .build())
+                .build();
+        var run = run(
+                wiring,
+                "client",
+                server -> {
+                    ActorSpace.of(server).stop(server);
+                    return server.get();
+                },
+                new Serving());
+        run.monitor().check();
+        assertThat(run.events()).containsExactly("client asks server.get", "server rejects get of client");
+    }
+
+    @Test
+    void requestThatIsCancelledInTheMailbox_isGivenUp() {
+        var wiring = Wiring.of("test")
+                .component(Protocol.of("client")
+                        .state("idle", asks("server.get").then("waiting"))
+                        .state(
+                                "waiting",
+                                answered("server.get").then("idle"),
+                                cancels("server.get").then("idle"))
+                        .build())
+                .component(server())
+                .build();
+        var run = run(wiring, "client", server -> server.get().cancel(), new Serving());
+        run.monitor().check();
+        assertThat(run.events()).containsExactly("client asks server.get", "client gives up server.get");
+    }
+
+    @Test
+    void message_isSentAndReceived() {
+        var wiring = Wiring.of("test")
+                .component(Protocol.of("client")
+                        .state("idle", sends("server.put").then("idle"))
+                        .build())
+                .component(Protocol.of("server", Server.class)
+                        .state("ready", receives("put").then("ready"))
+                        .build())
+                .mailbox("server", 2, Overflow.BLOCK)
+                .build();
+        var run = run(
+                wiring,
+                "client",
+                server -> {
+                    server.put(1);
+                    server.put(2);
+                    return server;
+                },
+                new Serving());
+        run.monitor().check();
+        assertThat(run.events())
+                .containsExactly(
+                        "client sends server.put",
+                        "client sends server.put",
+                        "server receives put",
+                        "server receives put");
+    }
+
+    @Test
+    void callOfAnActorThatTheWiringDoesNotHave_isAViolation() {
+        var run = run(wiring(requests("server.get").then("idle")), "guest", Server::get, new Serving());
+        assertThat(problem(run))
+                .isEqualTo("guest asks server.get is not allowed: the wiring has no component guest; known: client,"
+                        + " server");
+    }
+
+    @Test
+    void callToAnActorThatTheWiringDoesNotHave_isAViolation() {
+        var monitor = WiringMonitor.of(wiring(requests("server.get").then("idle")));
+        try (var test = new TestSpace(new WiringObserver(monitor))) {
+            Server other = test.spawn(Server.class, Serving::new, ActorSettings.named("disk"));
+            Client client = test.spawn(Client.class, () -> other::get);
+            client.go();
+            test.runQueued();
+        }
+        assertThat(monitor.violation().orElseThrow().problem())
+                .startsWith("client asks disk.get is not allowed: the wiring has no component disk");
+    }
+
+    @Test
+    void callFromOutside_isAViolation_ifOthersMakeIt_andNotIfItIsOpenOrUnknown() {
+        var monitor = WiringMonitor.of(wiring(requests("server.get").then("idle")));
+        try (var test = new TestSpace(new WiringObserver(monitor))) {
+            Server server = test.spawn(Server.class, Serving::new);
+            server.put(1); // which no component knows
+            test.runQueued();
+            monitor.check();
+            test.get(server.get());
+        }
+        assertThat(monitor.violation().orElseThrow().problem())
+                .startsWith("outside asks server.get is not allowed: the wiring has no component outside");
+
+        var open = WiringMonitor.of(
+                Wiring.of("open").component(server()).open("server.get").build());
+        try (var test = new TestSpace(new WiringObserver(open))) {
+            test.get(test.spawn(Server.class, Serving::new).get());
+        }
+        open.check();
+    }
+
+    /** Of two unnamed actors of a type, the second is server2; a call of itself is a private step. */
+    @Test
+    void unnamedActors_areNumbered_andCallsOfThemselvesAreNotReported() {
+        var called = new ArrayList<String>();
+        var monitor = WiringMonitor.of(Wiring.of("test")
+                .component(Protocol.of("client")
+                        .state("idle", requests("server2.get").then("idle"))
+                        .build())
+                .component("server2", server())
+                .build());
+        try (var test = new TestSpace(new WiringObserver(monitor))) {
+            Server first = test.spawn(Server.class, Serving::new);
+            Server second = test.spawn(Server.class, () -> new Serving() {
+                @Override
+                public Promise<Integer> get() {
+                    this.<Server>self().put(2);
+                    return super.get();
+                }
+
+                @Override
+                public void put(int value) {
+                    called.add("put " + value);
+                }
+            });
+            first.put(1); // seen first
+            Client client = test.spawn(Client.class, () -> second::get);
+            client.go();
+            test.runQueued();
+        }
+        monitor.check();
+        assertThat(monitor.count()).isEqualTo(3);
+        assertThat(called).containsExactly("put 2");
+    }
+
+    /** What the methods of the program are in the wiring, is said by a translation. */
+    @Test
+    void translatedCall_isAnsweredWhenItBegins_andItsErrorIsHandedOn() {
+        var errors = new ArrayList<String>();
+        var monitor = WiringMonitor.of(wiring(requests("server.get").then("idle"))).keepingEvents();
+        var observer = new WiringObserver(monitor, (from, to, call) -> call.method().equals("get")
+                ? Optional.of(new WiringObserver.Followed(
+                        "client", "server.get", true, error -> errors.add(error.getMessage())))
+                : Optional.empty());
+        try (var test = new TestSpace(observer)) {
+            Server server = test.spawn(Server.class, () -> new Serving() {
+                @Override
+                public Promise<Integer> get() {
+                    return Promise.failed(new IllegalStateException("late"));
+                }
+            });
+            test.error(server.get());
+        }
+        monitor.check();
+        assertThat(monitor.count()).isEqualTo(3);
+        assertThat(errors).containsExactly("late");
+    }
+}
