@@ -70,9 +70,7 @@ final class ObservedCalls {
         guard(
                 actor.space(),
                 () -> observer.called(
-                        Home.current() instanceof SpaceHome here
-                                ? party(here.owner())
-                                : OUTSIDE,
+                        Home.current() instanceof SpaceHome here ? party(here.owner()) : OUTSIDE,
                         party(actor),
                         new ObservedCall(actor, call)));
     }
@@ -90,10 +88,7 @@ final class ObservedCalls {
         guard(
                 space,
                 () -> observer.returned(
-                        Home.current() instanceof SpaceHome here
-                                ? party(here.owner())
-                                : OUTSIDE,
-                        party(reader)));
+                        Home.current() instanceof SpaceHome here ? party(here.owner()) : OUTSIDE, party(reader)));
     }
 
     static CallObserver.Turn turnBegun(CallObserver observer, SpaceHome space, TurnOwner owner) {

@@ -90,13 +90,11 @@ public final class RingFinder implements CallObserver {
         public String toString() {
             String actors = waits.stream().map(Wait::actor).distinct().collect(Collectors.joining(", "));
             String first = waits.getFirst().actor();
-            String head =
-                    switch (kind) {
-                        case BLOCKED -> first + " is called while it waits for that call: a ring that blocks " + actors;
-                        case POSSIBLE -> actors + " may come to wait for each other: each holds its calls meanwhile";
-                        case PASSED -> first + " is called while it serves a call that waits for " + first
-                                + ", and answers";
-                    };
+            String head = switch (kind) {
+                case BLOCKED -> first + " is called while it waits for that call: a ring that blocks " + actors;
+                case POSSIBLE -> actors + " may come to wait for each other: each holds its calls meanwhile";
+                case PASSED -> first + " is called while it serves a call that waits for " + first + ", and answers";
+            };
             return waits.stream().map(wait -> "\n  - " + wait).collect(Collectors.joining("", head, ""));
         }
     }
@@ -108,7 +106,10 @@ public final class RingFinder implements CallObserver {
         final String method;
         final boolean isPassedOn;
         final long number;
-        @Nullable Open cause; // the call that the caller serves; null as soon as this one is settled
+
+        @Nullable
+        Open cause; // the call that the caller serves; null as soon as this one is settled
+
         boolean begun;
         boolean over;
 
@@ -343,13 +344,19 @@ public final class RingFinder implements CallObserver {
         if (next.asked().equals(path.getFirst().waiting())) {
             var ring = new Ring(
                     Kind.POSSIBLE,
-                    path.stream().map(each -> Objects.requireNonNull(held.get(each))).toList());
+                    path.stream()
+                            .map(each -> Objects.requireNonNull(held.get(each)))
+                            .toList());
             boolean isKnown = blocked.contains(actors(ring))
-                    || all.stream().anyMatch(each -> each.kind() == Kind.POSSIBLE && actors(each).equals(actors(ring)));
+                    || all.stream()
+                            .anyMatch(each ->
+                                    each.kind() == Kind.POSSIBLE && actors(each).equals(actors(ring)));
             if (!isKnown) {
                 all.add(ring);
             }
-        } else if (path.stream().limit(path.size() - 1L).noneMatch(each -> each.waiting().equals(next.asked()))) {
+        } else if (path.stream()
+                .limit(path.size() - 1L)
+                .noneMatch(each -> each.waiting().equals(next.asked()))) {
             held.keySet().stream()
                     .filter(each -> each.waiting().equals(next.asked()))
                     .forEach(each -> possible(each, path, all, blocked));
@@ -363,8 +370,7 @@ public final class RingFinder implements CallObserver {
 
     /** @throws AssertionError if a ring blocks, or is possible; the message has its story */
     public void check() {
-        var wrong =
-                rings().stream().filter(ring -> ring.kind() != Kind.PASSED).toList();
+        var wrong = rings().stream().filter(ring -> ring.kind() != Kind.PASSED).toList();
         if (!wrong.isEmpty()) {
             throw new AssertionError(wrong.stream().map(Ring::toString).collect(Collectors.joining("\n")));
         }

@@ -56,8 +56,7 @@ class RingFinderTest {
 
         @Override
         public Promise<Integer> payAndAsk(Account to, int amount) {
-            return during(() ->
-                    to.depositAndAsk(self(), amount).then(mine -> content = mine - amount));
+            return during(() -> to.depositAndAsk(self(), amount).then(mine -> content = mine - amount));
         }
 
         @Override
@@ -211,9 +210,11 @@ class RingFinderTest {
             }
         });
         rings.idle();
-        assertThat(rings.rings()).singleElement().satisfies(ring -> assertThat(ring.waits())
-                .extracting(RingFinder.Wait::asks)
-                .containsExactly("two.depositAndAsk", "one.content"));
+        assertThat(rings.rings())
+                .singleElement()
+                .satisfies(ring -> assertThat(ring.waits())
+                        .extracting(RingFinder.Wait::asks)
+                        .containsExactly("two.depositAndAsk", "one.content"));
     }
 
     /** The chain goes through a sequential body, and through a second space. */

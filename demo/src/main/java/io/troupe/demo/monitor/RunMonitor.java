@@ -182,7 +182,8 @@ public final class RunMonitor {
                     stopping(robot(call));
                 }
             }
-        }.and(new WiringObserver(monitor, (from, to, call) -> isOfServices(call) ? Optional.of(of(call)) : Optional.empty()));
+        }.and(new WiringObserver(
+                monitor, (from, to, call) -> isOfServices(call) ? Optional.of(of(call)) : Optional.empty()));
     }
 
     private static boolean isOfServices(CallObserver.Call call) {
@@ -194,7 +195,8 @@ public final class RunMonitor {
         int robot = robot(call);
         if (isStop(call)) {
             stopCalled(robot);
-            return new Followed(name("stopper", robot), name("service", robot) + ".stop", false, error -> failed(robot));
+            return new Followed(
+                    name("stopper", robot), name("service", robot) + ".stop", false, error -> failed(robot));
         }
         startCalled(robot);
         return new Followed(name("starter", robot), name("service", robot) + ".begin", true, error -> failed(robot));

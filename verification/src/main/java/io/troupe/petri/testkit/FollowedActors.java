@@ -65,7 +65,9 @@ public final class FollowedActors implements BeforeEachCallback, AfterEachCallba
         final CallObserver observer;
         final AtomicLong events = new AtomicLong();
         final List<ActorSpace> spaces = new ArrayList<>();
-        @Nullable TestSpace testSpace;
+
+        @Nullable
+        TestSpace testSpace;
 
         Followed(Optional<WiringMonitor> monitor, Optional<CallObserver> declared) {
             this.monitor = monitor;
@@ -104,9 +106,8 @@ public final class FollowedActors implements BeforeEachCallback, AfterEachCallba
         var monitor = Optional.ofNullable(wiring).map(WiringMonitor::of);
         return new Followed(
                 monitor,
-                monitor.map(each -> translation == null
-                        ? new WiringObserver(each)
-                        : new WiringObserver(each, translation)));
+                monitor.map(each ->
+                        translation == null ? new WiringObserver(each) : new WiringObserver(each, translation)));
     }
 
     /** The space of this test, without a thread; made by the first call. */
@@ -120,8 +121,8 @@ public final class FollowedActors implements BeforeEachCallback, AfterEachCallba
     /** Creates a space with these settings. At the end of the test it has to come to rest, and is closed. */
     public ActorSpace space(SpaceSettings settings) {
         CallObserver other = settings.callObserver();
-        var space = ActorSpace.create(
-                settings.withCallObserver(other == null ? now.observer : now.observer.and(other)));
+        var space =
+                ActorSpace.create(settings.withCallObserver(other == null ? now.observer : now.observer.and(other)));
         now.spaces.add(space);
         return space;
     }

@@ -112,7 +112,10 @@ final class ActorWords {
                     + Suggestions.hintWithAll(name, methods.keySet()));
         }
         if (same.stream().noneMatch(method -> words(method).contains(word))) {
-            var is = same.stream().flatMap(method -> words(method).stream()).distinct().toList();
+            var is = same.stream()
+                    .flatMap(method -> words(method).stream())
+                    .distinct()
+                    .toList();
             throw error(what + ", but " + type.getName() + "." + signature(same.getFirst()) + " is "
                     + is.stream().map(each -> each.what).collect(joining(" and ")) + "; expected "
                     + is.stream().map(each -> each.verb + "(\"" + name + "\")").collect(joining(" or ")));

@@ -30,8 +30,8 @@ import org.jspecify.annotations.Nullable;
  * component answers to others, made by an actor that the wiring does not have, or from outside if it is not
  * {@linkplain WiringBuilder#open open}. Other calls from outside are no part of the wiring: they are private steps.
  *
- * <p><b>Role.</b> Needs {@code troupe-actor-core} on the class path. What a program calls otherwise than its wiring does
- * is translated: {@link #WiringObserver(WiringMonitor, Translation)}. The results of streams, and messages that a
+ * <p><b>Role.</b> Needs {@code troupe-actor-core} on the class path. What a program calls otherwise than its wiring
+ * does is translated: {@link #WiringObserver(WiringMonitor, Translation)}. The results of streams, and messages that a
  * bounded mailbox refuses, are not seen: report them to the monitor.
  *
  * <p><b>Threads.</b> Any thread; spaces may share one.

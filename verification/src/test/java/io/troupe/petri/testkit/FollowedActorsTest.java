@@ -93,7 +93,9 @@ class FollowedActorsTest {
     /** What JUnit does with a test method. */
     private static Throwable ended(FollowedActors actors, Consumer<FollowedActors> test) {
         var context = (ExtensionContext) Proxy.newProxyInstance(
-                FollowedActorsTest.class.getClassLoader(), new Class<?>[] {ExtensionContext.class}, (proxy, it, with) -> {
+                FollowedActorsTest.class.getClassLoader(),
+                new Class<?>[] {ExtensionContext.class},
+                (proxy, it, with) -> {
                     throw new UnsupportedOperationException(it.getName());
                 });
         actors.beforeEach(context);

@@ -63,8 +63,7 @@ class WiringObserverTest {
         var monitor = WiringMonitor.of(wiring).keepingEvents();
         try (var test = new TestSpace(new WiringObserver(monitor))) {
             Server server = test.spawn(Server.class, () -> serving);
-            Client caller =
-                    test.spawn(Client.class, () -> () -> step.apply(server), ActorSettings.named(client));
+            Client caller = test.spawn(Client.class, () -> () -> step.apply(server), ActorSettings.named(client));
             caller.go();
             test.runQueued();
             monitor.idle();
@@ -83,7 +82,8 @@ class WiringObserverTest {
         var run = run(wiring(requests("server.get").then("idle")), "client", Server::get, new Serving());
         run.monitor().check();
         assertThat(run.events())
-                .containsExactly("client asks server.get", "server takes get from client", "server answers get to client");
+                .containsExactly(
+                        "client asks server.get", "server takes get from client", "server answers get to client");
     }
 
     @Test
@@ -116,7 +116,10 @@ class WiringObserverTest {
                         .state("idle", requests("server.get").then("idle").orRejected("idle"))
                         .build())
                 .component(Protocol.of("server", Server.class)
-                        .state("ready", provides("get").then("ready"), rejects("get").then("ready"))
+                        .state(
+                                "ready",
+                                provides("get").then("ready"),
+                                rejects("get").then("ready"))
                         .build())
                 .build();
         var run = run(
@@ -257,11 +260,14 @@ class WiringObserverTest {
     @Test
     void translatedCall_isAnsweredWhenItBegins_andItsErrorIsHandedOn() {
         var errors = new ArrayList<String>();
-        var monitor = WiringMonitor.of(wiring(requests("server.get").then("idle"))).keepingEvents();
-        var observer = new WiringObserver(monitor, (from, to, call) -> call.method().equals("get")
-                ? Optional.of(new WiringObserver.Followed(
-                        "client", "server.get", true, error -> errors.add(error.getMessage())))
-                : Optional.empty());
+        var monitor =
+                WiringMonitor.of(wiring(requests("server.get").then("idle"))).keepingEvents();
+        var observer = new WiringObserver(
+                monitor,
+                (from, to, call) -> call.method().equals("get")
+                        ? Optional.of(new WiringObserver.Followed(
+                                "client", "server.get", true, error -> errors.add(error.getMessage())))
+                        : Optional.empty());
         try (var test = new TestSpace(observer)) {
             Server server = test.spawn(Server.class, () -> new Serving() {
                 @Override
