@@ -30,12 +30,12 @@ import org.jspecify.annotations.Nullable;
  *     test.get(two.pay(one, 5));
  * }
  * rings.idle();
- * rings.check(); // fails: each may hold its calls while it waits for the other one
+ * assertThatThrownBy(rings::check).hasMessageContaining("may come to wait for each other");
  * }
  *
  * <p>Which rings block: an actor takes other calls while the promise that it returned is pending, so most rings pass.
  * One blocks if an actor of it does not take the call, because it {@linkplain ActorContext#hold holds} its calls, or
- * does not answer it, because it waits for a lock of its own such as a {@code Mutex}. See {@link Kind}.
+ * does not answer it, because it waits for a private lock such as a {@code Mutex}. See {@link Kind}.
  *
  * <p>Requests are followed from their caller to the call that this one serves, also through listeners, sequential
  * bodies, suspend functions, connections to services and other observed spaces of this process; a one-way message, a

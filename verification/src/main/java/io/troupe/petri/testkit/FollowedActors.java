@@ -40,7 +40,7 @@ import org.junit.jupiter.api.extension.ExtensionContext;
  *
  * <p>Actors are followed in the spaces of this extension, which the end of the test closes: {@link #testSpace}, and
  * {@link #space} for a space with a thread. Spaces that the test makes and closes itself are followed by
- * {@link #observer}; at their end nothing can be said about what is still open, except that a ring has blocked.
+ * {@link #observer}; what is still open at their end is not judged, except that a ring has blocked.
  *
  * <p><b>Role.</b> For tests whose class path has JUnit 5 and {@code troupe-actor-core}. What is found without a
  * declaration is described in {@link RingFinder}; how calls are compared with one, in {@link WiringObserver}.
@@ -52,7 +52,8 @@ import org.junit.jupiter.api.extension.ExtensionContext;
  * its failure.
  */
 public final class FollowedActors implements BeforeEachCallback, AfterEachCallback {
-    private static final long QUIET_WITHIN_SECONDS = 60;
+    private static final long IDLE_WITHIN_SECONDS = 60;
+    private static final int MAX_ROUNDS = 1_000; // over all spaces, as each may call the others
 
     private final @Nullable Wiring wiring;
     private final WiringObserver.@Nullable Translation translation;
@@ -186,21 +187,22 @@ public final class FollowedActors implements BeforeEachCallback, AfterEachCallba
 
     /** Lets the spaces run until they have nothing to do; false if they always have. */
     private boolean comesToRest() throws InterruptedException {
-        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(QUIET_WITHIN_SECONDS);
-        long before;
-        do {
-            before = now.events.get();
+        for (int round = 0; round < MAX_ROUNDS; round++) {
+            long before = now.events.get();
             if (now.testSpace != null) {
                 now.testSpace.runQueued();
             }
             for (var space : now.spaces) {
                 var idle = new CountDownLatch(1);
                 space.onIdle(idle::countDown);
-                if (!idle.await(deadline - System.nanoTime(), TimeUnit.NANOSECONDS)) {
+                if (!idle.await(IDLE_WITHIN_SECONDS, TimeUnit.SECONDS)) {
                     return false;
                 }
             }
-        } while (now.events.get() != before && System.nanoTime() < deadline);
-        return true;
+            if (now.events.get() == before) {
+                return true;
+            }
+        }
+        return false;
     }
 }

@@ -88,7 +88,10 @@ final class ActorWords {
         if (Arrays.asList(method.getParameterTypes()).contains(Callback.class)) {
             words.add(Word.STREAM);
         }
-        return words.isEmpty() ? Set.of(Word.MESSAGE) : words;
+        if (method.getReturnType() == void.class) {
+            words.add(Word.MESSAGE); // also with a callback, if its results are no part of the wiring
+        }
+        return words;
     }
 
     /** Refuses a way out of a state whose call or message the actor does not have. */

@@ -84,6 +84,16 @@ public final class Branch {
         }
     }
 
+    /** Of a step by its word, for example {@code provides}. */
+    static Branch of(String verb, String what, String to) {
+        for (var kind : Kind.values()) {
+            if (kind.verb.equals(verb)) {
+                return new Branch(kind, what, to);
+            }
+        }
+        throw new IllegalArgumentException("there is no step " + verb);
+    }
+
     /**
      * Lets a request time out at any moment before its answer. A request that was not accepted yet is withdrawn; the
      * answer of one that is being served comes too late and is dropped.

@@ -27,8 +27,8 @@ import org.jspecify.annotations.Nullable;
  * {@code asks} gets the answer then. What is passed on by a connection to a service is a call of its caller.
  *
  * <p>A call of a component to an actor that the wiring does not have is a violation, and so is a call that the
- * component answers to others, made by an actor that the wiring does not have, or from outside if it is not
- * {@linkplain WiringBuilder#open open}. Other calls from outside are no part of the wiring: they are private steps.
+ * component answers to others, made by an actor that the wiring does not have. Calls from outside, for example of the
+ * test, are not reported: they are open calls, or private steps.
  *
  * <p><b>Role.</b> Needs {@code troupe-actor-core} on the class path. What a program calls otherwise than its wiring
  * does is translated: {@link #WiringObserver(WiringMonitor, Translation)}. The results of streams, and messages that a
@@ -116,9 +116,8 @@ public final class WiringObserver implements CallObserver {
                         ? Optional.empty()
                         : Optional.of(Followed.of(names.of(caller), target));
             }
-            boolean isForOthers = offers(target) && !wiring.isOpen(target);
-            return isForOthers
-                    ? Optional.of(Followed.of(ActorNames.isActor(caller) ? names.of(caller) : caller.name(), target))
+            return ActorNames.isActor(caller) && offers(target)
+                    ? Optional.of(Followed.of(names.of(caller), target))
                     : Optional.empty();
         }
     }

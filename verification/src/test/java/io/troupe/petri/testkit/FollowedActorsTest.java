@@ -85,6 +85,11 @@ class FollowedActorsTest {
         Bank bank = test.spawn(Bank.class, SmallBank::new);
         Shop shop = test.spawn(Shop.class, () -> new CornerShop(bank));
         assertThat(test.get(shop.buy("lamp"))).isEqualTo("paid");
+    }
+
+    @Test
+    void ringThatPasses_isListed() {
+        purchase_isPaid();
         assertThat(actors.rings().rings())
                 .singleElement()
                 .satisfies(ring -> assertThat(ring.kind()).isEqualTo(RingFinder.Kind.PASSED));

@@ -49,6 +49,7 @@ class ActorWordsTest {
             provides("put").then("ready"), // and the other one a request
             receives("forget").then("ready"),
             streams("watch").then("ready"),
+            receives("watch").then("ready"), // without its results
             streams("load").then("ready"),
             provides("load").then("ready"),
             requests("disk.read").then("ready") // compared with the declaration of the disk
@@ -92,8 +93,9 @@ class ActorWordsTest {
                 ".forget(String) is a one-way message; expected receives(\"forget\")");
         assertRefused(receives("get").then("ready"), ".get(String) is a request; expected provides(\"get\")");
         assertRefused(
-                receives("watch").then("ready"),
-                ".watch(String, Callback) is a stream of results; expected streams(\"watch\")");
+                provides("watch").then("ready"),
+                ".watch(String, Callback) is a stream of results and a one-way message; expected streams(\"watch\") or"
+                        + " receives(\"watch\")");
         assertRefused(streams("get").then("ready"), ".get(String) is a request; expected provides(\"get\")");
         assertRefused(
                 receives("load").then("ready"),
