@@ -500,7 +500,8 @@ class FailoverTest extends RobotsBench {
         Stamp stamp = test.get(provider.stamp());
         List<String> ends = new ArrayList<>();
         for (String service : List.of("spaceWanderer", "wallFollower")) {
-            var reports = new Callback.Stream<RobotServices.ColourReport>(report -> {}, error -> ends.add(service + " " + error));
+            var reports = new Callback.Stream<RobotServices.ColourReport>(
+                    report -> {}, error -> ends.add(service + " " + error));
             var ofAnother = new Stamp(stamp.provider() + 1, stamp.nanos());
             var end = provider.report(new Lease(1, 1, ofAnother), 0, service, reports);
             ends.add(test.get(end.handle((lost, error) -> error == null ? "lost" : "refused")));
