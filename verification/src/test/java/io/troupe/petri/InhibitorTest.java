@@ -8,13 +8,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.petri.drawing.NetDrawing;
-import io.troupe.petri.structure.DeadlockVerdict;
-import io.troupe.petri.structure.EmptySiphonProgram;
-import io.troupe.petri.structure.EmptySiphonVerdict;
-import io.troupe.petri.structure.Invariants;
-import io.troupe.petri.structure.SiphonAnalysis;
 import io.troupe.tools.Thorough;
-import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -88,26 +82,6 @@ class InhibitorTest {
                         .inhibitors())
                 .extracting(Arc::weight)
                 .containsExactly(2);
-    }
-
-    /** An empty siphon, and still no dead marking: the theorem behind these verdicts does not hold. */
-    @Test
-    void siphons_decideNothing_butInvariantsHold() {
-        var net = net("escape", "a=1 b", "ab: a > b", "ba: b > a").toBuilder()
-                .place("c")
-                .transition("step", List.of("c"), List.of("c"))
-                .inhibitor("b", "ba")
-                .build();
-        assertThat(SiphonAnalysis.of(net).deadlock())
-                .isEqualTo(new DeadlockVerdict.Undecided(
-                        "net escape has inhibitor arcs, so a dead marking need not have an empty siphon"));
-        var guarded = net("always", "a=1", "go: a > a").toBuilder()
-                .inhibitor("a", "go")
-                .build();
-        assertThat(ReachabilityGraph.explore(guarded).dead()).hasSize(1);
-        assertThat(EmptySiphonProgram.solve(guarded, Duration.ofSeconds(20)))
-                .isEqualTo(new EmptySiphonVerdict.NoneCanBeEmptied(false));
-        assertThat(Invariants.ofPlaces(net).invariants()).contains(Map.of(net.place("a"), 1L, net.place("b"), 1L));
     }
 
     @Test

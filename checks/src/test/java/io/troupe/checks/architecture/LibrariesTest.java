@@ -20,7 +20,6 @@ class LibrariesTest {
         "kotlin..,                 io.troupe.actor.kotlin.. io.troupe.bench",
         "kotlinx..,                io.troupe.actor.kotlin.. io.troupe.bench",
         "io.micrometer..,          io.troupe.actor.micrometer",
-        "org.ojalgo..,             io.troupe.petri.structure",
         "org.eclipse.elk..,        io.troupe.petri.drawing",
         "org.eclipse.emf..,        io.troupe.petri.drawing",
         "org.eclipse.xtext..,      io.troupe.petri.drawing",

@@ -8,12 +8,8 @@ import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Transition;
-import io.troupe.petri.deadlock.Boundedness;
 import io.troupe.petri.deadlock.DeadlockCheck;
 import io.troupe.petri.deadlock.LargeDeadlockCheck;
-import io.troupe.petri.structure.DeadlockVerdict;
-import io.troupe.petri.structure.SiphonAnalysis;
-import io.troupe.petri.structure.Siphons;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.time.Duration;
@@ -26,8 +22,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Examines a net from a file, within limits of time and memory. The deadlock verdict comes first, in half of the time:
- * by stubborn sets, and by {@link DeadlockCheck} if these are too many; then by siphons. Then the other results, and
- * the pictures last. Each result is reported as soon as it is known; a later failure does not invalidate it.
+ * by stubborn sets, and by {@link DeadlockCheck} if these are too many. Then the other results, and the pictures last.
+ * Each result is reported as soon as it is known; a later failure does not invalidate it.
  */
 final class NetExamination {
     /** Exit statuses by verdict. */
@@ -49,7 +45,6 @@ final class NetExamination {
     private DeadlockSearch.@Nullable Deadlock nearest;
     private boolean isDecided;
     private @Nullable ReachabilityGraph graph;
-    private @Nullable SiphonAnalysis siphons;
 
     /**
      * Limits of the searches.
@@ -111,7 +106,7 @@ final class NetExamination {
                 return proved(search.visitedMarkings() + " markings by stubborn sets");
             }
             if (search.end() == SearchEnd.CANCELLED) {
-                return decideBySiphons(unknown(search.visitedMarkings(), search.end()));
+                return notKnown(unknown(search.visitedMarkings(), search.end()));
             }
             switch (DeadlockCheck.decide(net, deadlockLimits(Integer.MAX_VALUE))) {
                 case DeadlockCheck.CanDeadlock found -> {
@@ -126,7 +121,7 @@ final class NetExamination {
         } catch (OutOfMemoryError e) {
             why = "the virtual machine has too little memory for a search";
         }
-        return decideBySiphons(why);
+        return notKnown(why);
     }
 
     /**
@@ -168,14 +163,6 @@ final class NetExamination {
         return "no dead marking among " + markings + " by stubborn sets, " + ended(end);
     }
 
-    private int decideBySiphons(String why) {
-        var found = siphons();
-        if (found != null && found.deadlock() instanceof DeadlockVerdict.NoDeadMarking) {
-            return proved("by its siphons; " + why);
-        }
-        return notKnown(why);
-    }
-
     private int notKnown(String why) {
         results.accept(net.name() + ": not known whether it can deadlock: " + why + "\n");
         return UNKNOWN;
@@ -207,7 +194,7 @@ final class NetExamination {
                         : "]");
     }
 
-    /** Reports further results: of the full graph, and of the siphons. */
+    /** Reports further results, of the full graph. */
     void explain() {
         try {
             graph = ReachabilityGraph.explore(
@@ -217,7 +204,7 @@ final class NetExamination {
                                     .sparing(limits.time().dividedBy(4))
                                     .search(ReachabilityGraph.DEFAULT_MAX_MARKINGS),
                             "all markings"));
-            results.accept(withoutWhatIsDecided((isUnbounded(graph) ? graph : widest(graph)).summary()) + "\n");
+            results.accept(withoutWhatIsDecided(graph.summary()) + "\n");
             var liveness = Liveness.of(graph).summary();
             results.accept(
                     nearest != null && liveness.startsWith(net.name() + ": live UNKNOWN, reversible UNKNOWN")
@@ -227,15 +214,6 @@ final class NetExamination {
             results.accept("the full graph is not known: " + e.getMessage() + "\n");
         } catch (OutOfMemoryError e) {
             results.accept("no more is known of the full graph: the virtual machine has too little memory\n");
-        }
-        var found = siphons();
-        if (found != null) {
-            var sets = found.siphons();
-            results.accept(sets.sets().size()
-                    + (sets.isComplete()
-                            ? " minimal siphons: "
-                            : " minimal siphons found until the search stopped at its limit: ")
-                    + words(found.deadlock()) + "\n");
         }
     }
 
@@ -248,66 +226,10 @@ final class NetExamination {
                 : summary;
     }
 
-    /** Whether an incomplete graph has no end, which is reported. */
-    private boolean isUnbounded(ReachabilityGraph incomplete) {
-        if (incomplete.isComplete() || incomplete.end() == SearchEnd.CANCELLED) {
-            return false;
-        }
-        progress.accept("net " + net.name() + ": bounds");
-        if (Boundedness.of(net, limits.sparing(limits.time().dividedBy(4)).search(FEW_MARKINGS))
-                instanceof Boundedness.Unbounded growth) {
-            results.accept(net.name() + ": unbounded: " + shortened(growth.growing()) + " grow with each repetition of "
-                    + shortened(growth.repeated()) + " after " + shortened(growth.before()) + "\n");
-            return true;
-        }
-        return false;
-    }
-
-    /** The graph, or one without edges that has more markings, if that is incomplete for want of memory or numbers. */
-    private ReachabilityGraph widest(ReachabilityGraph withEdges) {
-        if (withEdges.isComplete() || withEdges.end() == SearchEnd.CANCELLED) {
-            return withEdges;
-        }
-        var more = ReachabilityGraph.exploreMarkings(
-                net,
-                reporting(
-                        limits.withMemory(limits.memoryBytes() / 2)
-                                .sparing(limits.time().dividedBy(4))
-                                .search(Integer.MAX_VALUE),
-                        "all markings, without edges"));
-        return more.size() > withEdges.size() ? more : withEdges;
-    }
-
-    /** The siphons; null if they cannot be computed, which is reported. */
-    private @Nullable SiphonAnalysis siphons() {
-        if (siphons == null) {
-            progress.accept("net " + net.name() + ": siphons");
-            try {
-                siphons = SiphonAnalysis.of(net, Siphons.DEFAULT_MAX_STEPS, limits.left());
-            } catch (OutOfMemoryError e) {
-                results.accept("siphons are not known: the virtual machine has too little memory\n");
-            } catch (ArithmeticException e) {
-                results.accept("siphons are not known: " + e.getMessage() + "\n");
-            }
-        }
-        return siphons;
-    }
-
     private SearchLimits reporting(SearchLimits search, String what) {
         return search.reporting(
                 MARKINGS_PER_REPORT,
                 at -> progress.accept("net " + net.name() + ": " + what + ", " + at.markings() + " visited"));
-    }
-
-    private static String words(DeadlockVerdict verdict) {
-        return switch (verdict) {
-            case DeadlockVerdict.NoDeadMarking proof ->
-                "they prove without a search that no reachable marking is dead"
-                        + (proof.isByTrapsAlone() ? " (each contains a marked trap)" : "");
-            case DeadlockVerdict.Candidates candidates ->
-                candidates.siphons().size() + " of them may perhaps be emptied, which decides nothing by itself";
-            case DeadlockVerdict.Undecided undecided -> undecided.reason();
-        };
     }
 
     /** Draws the net, its nearest deadlock, and its graph if that is small enough, and reports the files. */

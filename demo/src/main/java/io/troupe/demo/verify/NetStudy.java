@@ -7,8 +7,6 @@ import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.Verdict;
 import io.troupe.petri.structure.MinimalSets;
 import io.troupe.petri.structure.PlaceSet;
-import io.troupe.petri.structure.SiphonAnalysis;
-import io.troupe.petri.structure.SiphonVerdict;
 import io.troupe.petri.structure.Siphons;
 import io.troupe.petri.structure.StateEquation;
 import java.util.List;
@@ -47,7 +45,7 @@ record NetStudy(
                 siphons,
                 Siphons.minimalTraps(net),
                 siphons.sets().stream()
-                        .filter(siphon -> SiphonAnalysis.confirm(siphon, graph) instanceof SiphonVerdict.Emptied)
+                        .filter(siphon -> graph.states().stream().anyMatch(state -> !siphon.isMarked(state.marking())))
                         .toList(),
                 siphons.sets().stream()
                         .map(siphon -> equation.leastTokens(siphon)

@@ -4,25 +4,17 @@ import io.troupe.petri.Composition;
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.PetriNet;
-import io.troupe.petri.structure.EmptySiphonProgram;
-import io.troupe.petri.structure.EmptySiphonVerdict;
-import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 
-/**
- * The paper's nets in one reading, and the paper's statements about them.
- *
- * @param programs results of one mixed-integer program over all siphons, for the uncorrected and the corrected net
- */
+/** The paper's nets in one reading, and the paper's statements about them. */
 record ReadingStudy(
         Reading reading,
         NetStudy uncorrected,
         NetStudy corrected,
         NetStudy robotAndPlayer,
         NetStudy middlewareAndService,
-        List<EmptySiphonVerdict> programs,
         List<Statement> statements) {
     /**
      * A statement of the paper and our result.
@@ -39,9 +31,6 @@ record ReadingStudy(
         }
     }
 
-    // a second on an idle machine; a verdict must not depend on other programs on the machine
-    private static final Duration PROGRAM_LIMIT = Duration.ofMinutes(10);
-
     static ReadingStudy of(Reading reading, Consumer<String> progress) {
         progress.accept("reading " + reading + ": the uncorrected net");
         var uncorrected = NetStudy.of(PaperNets.uncorrected(reading));
@@ -56,18 +45,12 @@ record ReadingStudy(
                 "middleware and service " + reading,
                 List.of(PaperNets.middleware(), PaperNets.service(reading)),
                 List.of(PaperNets.register(), PaperNets.giveData())));
-        progress.accept(
-                "reading " + reading + ": one mixed-integer program over all siphons, which takes some seconds");
-        var programs = Stream.of(uncorrected, corrected)
-                .map(study -> EmptySiphonProgram.solve(study.net(), PROGRAM_LIMIT))
-                .toList();
         progress.accept("reading " + reading + ": the statements");
         var statements = Stream.concat(
                         new UncorrectedStatements(reading, uncorrected).all().stream(),
                         new CorrectedStatements(corrected).all().stream())
                 .toList();
-        return new ReadingStudy(
-                reading, uncorrected, corrected, robotAndPlayer, middlewareAndService, programs, statements);
+        return new ReadingStudy(reading, uncorrected, corrected, robotAndPlayer, middlewareAndService, statements);
     }
 
     PetriNet lowPriority() {

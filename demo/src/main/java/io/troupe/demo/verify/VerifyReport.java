@@ -1,8 +1,5 @@
 package io.troupe.demo.verify;
 
-import io.troupe.petri.structure.EmptySiphonVerdict;
-import io.troupe.petri.structure.SiphonAnalysis;
-import io.troupe.petri.structure.SiphonVerdict;
 import java.util.List;
 import java.util.StringJoiner;
 import java.util.function.Function;
@@ -96,11 +93,6 @@ final class VerifyReport {
         List<NetStudy> nets = readings.stream()
                 .flatMap(each -> List.of(each.uncorrected(), each.corrected()).stream())
                 .toList();
-        var programs = readings.stream()
-                .flatMap(each -> Stream.of(
-                        word(each.programs().get(0), each.uncorrected()),
-                        word(each.programs().get(1), each.corrected())))
-                .toList();
         var table = new StringJoiner("\n", "", "\n");
         table.add(row("", nets, study -> study.net().name()));
         table.add("|---".repeat(nets.size() + 1) + "|");
@@ -137,19 +129,7 @@ final class VerifyReport {
                 "live / reversible",
                 nets,
                 study -> study.liveness().live() + " / " + study.liveness().reversible()));
-        table.add("| can a siphon be emptied, by one mixed-integer program | " + String.join(" | ", programs) + " |");
         return table.toString();
-    }
-
-    private static String word(EmptySiphonVerdict verdict, NetStudy study) {
-        return switch (verdict) {
-            case EmptySiphonVerdict.NoneCanBeEmptied none -> "no";
-            case EmptySiphonVerdict.MayBeEmptied some ->
-                SiphonAnalysis.confirm(some.siphon(), study.graph()) instanceof SiphonVerdict.Emptied
-                        ? "perhaps; one it finds is really emptied"
-                        : "perhaps; the one it finds is not";
-            case EmptySiphonVerdict.Undecided undecided -> undecided.reason();
-        };
     }
 
     private static String row(String title, List<NetStudy> nets, Function<NetStudy, Object> cell) {

@@ -12,12 +12,11 @@ import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Symmetry;
 import io.troupe.petri.Transition;
 import io.troupe.petri.structure.DeadlockEquation;
-import io.troupe.petri.structure.DeadlockEquation.Candidate;
-import io.troupe.petri.structure.DeadlockEquation.NoDeadMarking;
-import io.troupe.petri.structure.Siphons;
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
@@ -28,7 +27,7 @@ import java.util.function.Function;
  * always a shortest one.
  *
  * <p>The net is reduced first, by rules that keep whether it can deadlock. Then come, from cheap to dear, a short hunt
- * for a counterexample, proofs without a search, a longer hunt, and last all markings of the reduced net by stubborn
+ * for a counterexample, a proof without a search, a longer hunt, and last all markings of the reduced net by stubborn
  * sets; of markings that differ only in which of some equal parts is in which state, one ({@link Symmetry}). A trace
  * that was found is translated to the net and fired there, and firings that it does not need are left out. Should it
  * not lead to a dead marking of the net, the net is searched without reductions.
@@ -56,8 +55,6 @@ public final class DeadlockCheck {
     /** Of the first search: roughly markings times the time for each, which grows faster than the transitions. */
     private static final double FEW_STEPS = 16_000_000;
 
-    private static final int MAX_SIPHON_PLACES = 400;
-    private static final long MAX_SIPHON_STEPS = 2_000;
     private static final long MAX_EQUATION_WORK = 1_000_000_000;
     private static final long GUIDED_FIRINGS = 300_000;
     private static final int MAX_COUNT = 1_000_000;
@@ -92,8 +89,6 @@ public final class DeadlockCheck {
         FIRST_STEPS,
         /** Fuses transitions with those before, if they need nothing else. */
         FUSED_AFTER,
-        /** Fuses transitions with those behind, if they do nothing else. */
-        FUSED_BEFORE,
         /** Leaves out places that always hold at least as many tokens as some others together. */
         IMPLIED_PLACES,
         /** Keeps the net, but searches one marking of each orbit of a {@link Symmetry}. */
@@ -198,46 +193,26 @@ public final class DeadlockCheck {
         return (int) Math.clamp(FEW_STEPS / (transitions * Math.sqrt(transitions)), 1, FEW_MARKINGS);
     }
 
-    /** Proofs and hunts that take a second or two. */
+    /** A proof and hunts that take a second or two. */
     private Optional<Result> withoutSearch(Reducer.Reduced reduced) {
-        var answer = DeadlockEquation.solve(reduced.net(), MAX_EQUATION_WORK, limits.cancelled());
-        if (answer instanceof NoDeadMarking found) {
+        var hint = new HashMap<Transition, Long>();
+        var proof = DeadlockEquation.solve(reduced.net(), MAX_EQUATION_WORK, limits.cancelled(), hint::putAll);
+        if (proof.isPresent()) {
             return Optional.of(new Proved(
                     "no dead marking of the reduced net satisfies the state equation: "
-                            + found.proof().contradictions() + " cases",
+                            + proof.get().contradictions() + " cases",
                     0));
         }
-        if (answer instanceof Candidate candidate) {
-            var found = guided(reduced, candidate);
-            if (found.isPresent()) {
-                return found;
-            }
-        } else if (holdsTraps(reduced.net())) {
-            return Optional.of(new Proved("every siphon of the reduced net contains a marked trap", 0));
-        }
-        return hunt(reduced, LONG_HUNT);
+        return (hint.isEmpty() ? Optional.<Result>empty() : guided(reduced, hint)).or(() -> hunt(reduced, LONG_HUNT));
     }
 
-    private Optional<Result> guided(Reducer.Reduced reduced, Candidate candidate) {
+    private Optional<Result> guided(Reducer.Reduced reduced, Map<Transition, Long> hint) {
         var counts = reduced.net().transitions().stream()
-                .mapToInt(t -> Math.clamp(candidate.counts().getOrDefault(t, 0L), 0, MAX_COUNT))
+                .mapToInt(t -> Math.clamp(hint.getOrDefault(t, 0L), 0, MAX_COUNT))
                 .toArray();
         return new GuidedSearch(FlatNet.of(reduced.net()), counts, limits.cancelled())
                 .run(GUIDED_FIRINGS)
                 .map(trace -> canDeadlock(reduced, trace));
-    }
-
-    /** Whether siphons prove that no marking is dead: in a dead marking the places without tokens are a siphon. */
-    private boolean holdsTraps(PetriNet smaller) {
-        var isOrdinary = smaller.transitions().stream()
-                .allMatch(t -> t.inhibitors().isEmpty() && t.inputs().stream().allMatch(arc -> arc.weight() == 1));
-        if (!isOrdinary || smaller.places().size() > MAX_SIPHON_PLACES) {
-            return false;
-        }
-        var siphons = Siphons.minimalSiphons(smaller, MAX_SIPHON_STEPS, limits.cancelled());
-        return siphons.isComplete()
-                && siphons.sets().stream()
-                        .allMatch(siphon -> Siphons.largestTrapIn(siphon).isMarked(smaller.initialMarking()));
     }
 
     private static Proved byReduction() {

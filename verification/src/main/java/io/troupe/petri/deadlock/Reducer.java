@@ -65,8 +65,6 @@ final class Reducer {
     private int nextStep;
     /** Fired before everything else. */
     private final List<Firings> first = new ArrayList<>();
-    /** Transitions that the smaller net delays, in the order in which they were fused. */
-    private final List<Firings> delayed = new ArrayList<>();
 
     private Reducer(PetriNet net, Set<Reduction> rules, BooleanSupplier cancelled) {
         original = net;
@@ -105,41 +103,14 @@ final class Reducer {
             return net;
         }
 
-        /**
-         * The trace of the original net for a trace of the smaller one to a dead marking. The fusions are undone from
-         * the last to the first: what one delayed fires as long as it can, and the marking is dead in the net before
-         * that fusion. In the order of fusing, a transition would take the tokens of a later one, which begins with it.
-         */
+        /** The trace of the original net for a trace of the smaller one. */
         int[] translate(int[] trace) {
             var whole = new ArrayList<Integer>();
             reducer.first.forEach(firings -> append(firings, whole));
             for (var t : trace) {
                 append(steps.get(t).firings, whole);
             }
-            var game = new TokenGame(FlatNet.of(reducer.original));
-            whole.forEach(game::fire);
-            for (var firings : reducer.delayed.reversed()) {
-                while (fire(firings, game, whole)) {
-                    // as long as it can
-                }
-            }
             return whole.stream().mapToInt(Integer::intValue).toArray();
-        }
-
-        private static boolean fire(Firings firings, TokenGame game, List<Integer> whole) {
-            var more = new ArrayList<Integer>();
-            append(firings, more);
-            for (var i = 0; i < more.size(); i++) {
-                if (!game.mayFire(more.get(i))) {
-                    while (--i >= 0) {
-                        game.takeBack(more.get(i));
-                    }
-                    return false;
-                }
-                game.fire(more.get(i));
-            }
-            whole.addAll(more);
-            return true;
         }
 
         private static void append(Firings all, List<Integer> whole) {
@@ -183,8 +154,7 @@ final class Reducer {
             case FREE_PLACES -> removeFreePlaces();
             case EQUAL_TRANSITIONS -> removeEqualTransitions();
             case FIRST_STEPS -> takeFirstSteps();
-            case FUSED_AFTER -> fuseAll(true);
-            case FUSED_BEFORE -> fuseAll(false);
+            case FUSED_AFTER -> fuseAll();
             case IMPLIED_PLACES -> removeImpliedPlaces();
             case EQUAL_PARTS -> false; // of the search, not of the net
         };
@@ -463,11 +433,11 @@ final class Reducer {
                 && step.out.keySet().stream().allMatch(put -> inhibited.get(put).isEmpty());
     }
 
-    private boolean fuseAll(boolean after) {
+    private boolean fuseAll() {
         var changed = false;
         for (var p = 0; p < tokens.length; p++) {
-            if (!isGone[p] && (after ? canFuseAfter(p) : canFuseBefore(p))) {
-                fuse(p, !after);
+            if (!isGone[p] && canFuse(p)) {
+                fuse(p);
                 changed = true;
             }
         }
@@ -509,34 +479,14 @@ final class Reducer {
      * Whether every transition behind the place needs nothing else. Then one of them can fire whenever the place is
      * marked, so it is not marked in a dead marking, and it does no harm to let that transition fire at once.
      */
-    private boolean canFuseAfter(int place) {
+    private boolean canFuse(int place) {
         return isBetween(place) && consumers.get(place).stream().allMatch(id -> isPrivate(step(id), place));
     }
 
-    /**
-     * Whether every transition before the place puts tokens nowhere else, and takes tokens that no other takes and that
-     * inhibit nothing. Then it stays ready until it fires, and it does no harm to let it wait until a transition behind
-     * the place fires with it. If none does, it fires at the end: {@link #delayed}.
-     */
-    private boolean canFuseBefore(int place) {
-        return isBetween(place)
-                && producers.get(place).stream()
-                        .map(this::step)
-                        .allMatch(step -> step.out.size() == 1
-                                && step.inhibitors.isEmpty()
-                                && !step.in.isEmpty()
-                                && step.in.keySet().stream()
-                                        .allMatch(taken -> consumers.get(taken).size() == 1
-                                                && inhibited.get(taken).isEmpty()));
-    }
-
-    private void fuse(int place, boolean before) {
+    private void fuse(int place) {
         var front = List.copyOf(producers.get(place)).stream().map(this::remove).toList();
         var back = List.copyOf(consumers.get(place)).stream().map(this::remove).toList();
         for (var one : front) {
-            if (before) {
-                delayed.add(one.firings);
-            }
             for (var other : back) {
                 var in = new TreeMap<>(one.in);
                 var out = new TreeMap<>(other.out);

@@ -8,9 +8,9 @@ import java.util.OptionalInt;
  * that a case that differs by one bound takes a few pivots.
  *
  * <p>Each basic variable is a linear function of the others, which stand at one of their bounds. The method minimises
- * the sum of the first variables, the firing counts: that keeps it going in one direction, and gives solutions with few
- * firings. A row that cannot get within its bounds shows that there is no solution. Its coefficients are the
- * multipliers of a proof, which the caller must check in integers.
+ * the weighted sum of the first variables, whose weights are 0 or more: that keeps it going in one direction. A row
+ * that cannot get within its bounds shows that there is no solution. Its coefficients are the multipliers of a proof,
+ * which the caller must check in integers.
  */
 final class BoundedSimplex {
     private static final double FEASIBLE = 1e-7;
@@ -56,14 +56,15 @@ final class BoundedSimplex {
      *
      * @param rows by row: its coefficients, by column
      * @param constants by row: its value when all columns are 0
+     * @param costs by column: what one more of it costs, 0 or more
      */
-    BoundedSimplex(double[][] rows, double[] constants, int columns) {
+    BoundedSimplex(double[][] rows, double[] constants, double[] costs) {
+        var columns = costs.length;
         this.rows = rows;
         value = constants;
         free = new int[columns];
         isAtUpper = new boolean[columns];
-        cost = new double[columns];
-        Arrays.fill(cost, 1);
+        cost = costs;
         touched = new int[columns];
         basic = new int[rows.length];
         home = new int[columns + rows.length];

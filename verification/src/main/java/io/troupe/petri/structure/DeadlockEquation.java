@@ -1,7 +1,5 @@
 package io.troupe.petri.structure;
 
-import static java.util.Objects.requireNonNull;
-
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;
 import io.troupe.petri.Transition;
@@ -20,6 +18,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -31,9 +30,8 @@ import org.jspecify.annotations.Nullable;
  * <p>If there is none, no reachable marking is dead, and the result is a {@link DeadlockProof}. A solution need not be
  * reachable; it is a hint where to search.
  *
- * <p><b>Role.</b> A proof without a search, where {@link SiphonAnalysis} would need too many siphons or does not apply:
- * it holds with weights, priorities and inhibitor arcs. The linear programs are solved in floating point; what they
- * prove is checked in integers.
+ * <p><b>Role.</b> A proof without a search, also with weights, priorities and inhibitor arcs. The linear programs are
+ * solved in floating point; what they prove is checked in integers.
  *
  * <p><b>Threads.</b> Thread-safe.
  *
@@ -53,6 +51,7 @@ public final class DeadlockEquation {
 
     private final PetriNet net;
     private final BooleanSupplier cancelled;
+    private final Consumer<Map<Transition, Long>> hint;
     private final long maxWork;
     private final Columns columns;
     /** By transition. */
@@ -61,12 +60,13 @@ public final class DeadlockEquation {
     private final Needs trapNeeds;
     private final List<PlaceSet> traps = new ArrayList<>();
     private long work;
-    private @Nullable Answer stopped;
 
-    private DeadlockEquation(PetriNet net, long maxWork, BooleanSupplier cancelled) {
+    private DeadlockEquation(
+            PetriNet net, long maxWork, BooleanSupplier cancelled, Consumer<Map<Transition, Long>> hint) {
         this.net = net;
         this.maxWork = maxWork;
         this.cancelled = cancelled;
+        this.hint = hint;
         columns = new Columns(net);
         arcs = net.transitions().stream().map(DeadlockEquation::arcs).toList();
         trapNeeds = Needs.ofTraps(net, cancelled);
@@ -79,81 +79,39 @@ public final class DeadlockEquation {
                 .toList();
     }
 
-    /** What {@link #solve} found. */
-    public sealed interface Answer {}
-
-    /** No reachable marking is dead. */
-    public record NoDeadMarking(DeadlockProof proof) implements Answer {
-        public NoDeadMarking {
-            requireNonNull(proof, "proof");
-        }
-    }
-
-    /**
-     * A solution of the equation that is a dead marking, with rounded values. It may not be reachable.
-     *
-     * @param tokens the marked places
-     * @param counts how often transitions fire on the way there; one stands for all with the same effect
-     */
-    public record Candidate(Map<Place, Long> tokens, Map<Transition, Long> counts) implements Answer {
-        public Candidate {
-            tokens = Map.copyOf(tokens);
-            counts = Map.copyOf(counts);
-        }
-    }
-
-    /** Neither was found, with the reason. */
-    public record Undecided(String reason) implements Answer {
-        public Undecided {
-            requireNonNull(reason, "reason");
-        }
-    }
-
     /**
      * Solves the programs.
      *
      * @param maxWork how many additions the programs may take, roughly; a thousand million take about a second
      * @param cancelled ends the search once it is true; called often, on the calling thread
+     * @param hint called with a solution that is a dead marking, which ends the search: how often transitions fire on
+     *     the way there, rounded; one stands for all with the same effect
      */
-    public static Answer solve(PetriNet net, long maxWork, BooleanSupplier cancelled) {
+    public static Optional<DeadlockProof> solve(
+            PetriNet net, long maxWork, BooleanSupplier cancelled, Consumer<Map<Transition, Long>> hint) {
         try {
-            return new DeadlockEquation(net, maxWork, cancelled).solve();
+            return new DeadlockEquation(net, maxWork, cancelled, hint).solve();
         } catch (Needs.Cancelled end) {
-            return new Undecided("cancelled");
+            return Optional.empty();
         }
     }
 
-    private Answer solve() {
-        if (columns.cells() > MAX_CELLS) {
-            return new Undecided("the net is too large");
-        }
-        var root = prove(new DeadlockProgram(columns), 0);
+    private Optional<DeadlockProof> solve() {
+        var root = columns.cells() > MAX_CELLS ? null : prove(new DeadlockProgram(columns), 0);
         if (root == null) {
-            return requireNonNull(stopped, "a search that ended early has a reason");
+            return Optional.empty();
         }
         try {
-            return new NoDeadMarking(new DeadlockProof(net, traps, root));
-        } catch (IllegalArgumentException notQuite) {
-            return new Undecided("rounding errors: " + notQuite.getMessage());
+            return Optional.of(new DeadlockProof(net, traps, root));
+        } catch (IllegalArgumentException roundingErrors) {
+            return Optional.empty();
         }
-    }
-
-    private @Nullable Case stop(Answer reason) {
-        stopped = reason;
-        return null;
-    }
-
-    private @Nullable Case undecided(String reason) {
-        return stop(new Undecided(reason));
     }
 
     /** The proof for the case with the bounds of {@code program}; null if the search has stopped. */
     private @Nullable Case prove(DeadlockProgram program, int depth) {
-        if (cancelled.getAsBoolean()) {
-            return undecided("cancelled");
-        }
-        if (depth > MAX_DEPTH || depth * columns.cells() > MAX_OPEN_CELLS) {
-            return undecided("too many cases within each other");
+        if (cancelled.getAsBoolean() || depth > MAX_DEPTH || depth * columns.cells() > MAX_OPEN_CELLS) {
+            return null;
         }
         var forced = new ArrayList<Forced>();
         var ready = force(program, forced);
@@ -245,11 +203,10 @@ public final class DeadlockEquation {
             var outcome = program.solve();
             work += program.work() - before;
             if (outcome == Outcome.INFEASIBLE) {
-                var contradiction = program.contradiction(traps);
-                return contradiction.isPresent() ? contradiction.get() : undecided("rounding errors");
+                return program.contradiction(traps).orElse(null); // null after rounding errors
             }
             if (outcome == Outcome.FAILED || work > maxWork) {
-                return undecided(work > maxWork ? "too much work" : "the simplex method does not end");
+                return null;
             }
         } while (addTrap(program));
         return split(program, depth);
@@ -277,7 +234,8 @@ public final class DeadlockEquation {
                 return halve(program, place, depth);
             }
         }
-        return stop(program.candidate());
+        hint.accept(program.counts());
+        return null;
     }
 
     private boolean isEnabled(DeadlockProgram program, Transition t) {

@@ -5,6 +5,7 @@ import io.troupe.petri.Place;
 import io.troupe.petri.Transition;
 import io.troupe.petri.structure.DeadlockProof.Contradiction;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -27,16 +28,15 @@ final class DeadlockProgram {
     /** What the programs of all cases of one net share. */
     static final class Columns {
         private final PetriNet net;
-        private final IncidenceMatrix effects;
+        private final List<Map<Integer, Long>> effects;
         /** By column: a transition; those with the same effect share one, those without have none. */
         private final List<Transition> transitions = new ArrayList<>();
 
         Columns(PetriNet net) {
             this.net = net;
-            effects = new IncidenceMatrix(net);
+            effects = IncidenceMatrix.of(net);
             var byEffect = new LinkedHashMap<Map<Integer, Long>, Transition>();
-            net.transitions()
-                    .forEach(t -> byEffect.putIfAbsent(effects.ofTransitions().get(t.index()), t));
+            net.transitions().forEach(t -> byEffect.putIfAbsent(effects.get(t.index()), t));
             byEffect.remove(Map.of());
             transitions.addAll(byEffect.values());
         }
@@ -60,13 +60,12 @@ final class DeadlockProgram {
         var rows = new double[places.size()][columns.transitions.size()];
         for (var column = 0; column < columns.transitions.size(); column++) {
             var at = column;
-            columns.effects
-                    .ofTransitions()
-                    .get(columns.transitions.get(column).index())
-                    .forEach((place, by) -> rows[place][at] = by);
+            columns.effects.get(columns.transitions.get(column).index()).forEach((place, by) -> rows[place][at] = by);
         }
         var constants = places.stream().mapToDouble(Place::tokens).toArray();
-        simplex = new BoundedSimplex(rows, constants, columns.transitions.size());
+        var costs = new double[columns.transitions.size()];
+        Arrays.fill(costs, 1); // solutions with few firings
+        simplex = new BoundedSimplex(rows, constants, costs);
     }
 
     /** A copy with separate bounds. */
@@ -215,18 +214,13 @@ final class DeadlockProgram {
         return MAX_SCALE + 1;
     }
 
-    /** The solution, rounded. */
-    DeadlockEquation.Candidate candidate() {
-        Map<Place, Long> tokens = new HashMap<>();
+    /** How often the transitions fire in the solution, rounded. */
+    Map<Transition, Long> counts() {
         Map<Transition, Long> counts = new HashMap<>();
-        for (var place : columns.net.places()) {
-            tokens.put(place, Math.round(tokens(place)));
-        }
         for (var column = 0; column < columns.transitions.size(); column++) {
             counts.put(columns.transitions.get(column), Math.round(simplex.value(column)));
         }
-        tokens.values().removeIf(value -> value == 0);
         counts.values().removeIf(value -> value == 0);
-        return new DeadlockEquation.Candidate(tokens, counts);
+        return counts;
     }
 }

@@ -29,17 +29,9 @@ final class Needs {
         }
     }
 
-    static Needs ofSiphons(PetriNet net) {
-        return ofSiphons(net, () -> false);
-    }
-
     /** The needs of siphons. Every method throws {@link Cancelled} once {@code cancelled} is true. */
     static Needs ofSiphons(PetriNet net, BooleanSupplier cancelled) {
         return new Needs(net, true, cancelled);
-    }
-
-    static Needs ofTraps(PetriNet net) {
-        return ofTraps(net, () -> false);
     }
 
     /** The needs of traps. Every method throws {@link Cancelled} once {@code cancelled} is true. */

@@ -64,21 +64,21 @@ public final class Siphons {
     }
 
     public static boolean isSiphon(PlaceSet set) {
-        return Needs.ofSiphons(set.net()).isClosed(set.bits());
+        return Needs.ofSiphons(set.net(), () -> false).isClosed(set.bits());
     }
 
     public static boolean isTrap(PlaceSet set) {
-        return Needs.ofTraps(set.net()).isClosed(set.bits());
+        return Needs.ofTraps(set.net(), () -> false).isClosed(set.bits());
     }
 
     /** The siphon within {@code set} that contains all others there; may be empty. */
     public static PlaceSet largestSiphonIn(PlaceSet set) {
-        return largest(Needs.ofSiphons(set.net()), set);
+        return largest(Needs.ofSiphons(set.net(), () -> false), set);
     }
 
     /** The trap within {@code set} that contains all others there; may be empty. */
     public static PlaceSet largestTrapIn(PlaceSet set) {
-        return largest(Needs.ofTraps(set.net()), set);
+        return largest(Needs.ofTraps(set.net(), () -> false), set);
     }
 
     private static PlaceSet largest(Needs needs, PlaceSet set) {
