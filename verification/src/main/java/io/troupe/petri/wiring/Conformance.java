@@ -123,6 +123,9 @@ public final class Conformance {
         return switch (step) {
             case Step.Does does -> "does " + does.label();
             case Step.Provides offer -> "provides " + offer.call();
+            case Step.Accepts accepts -> "accepts " + accepts.call();
+            case Step.Answers answers -> "answers " + answers.call();
+            case Step.Refuses refuses -> "refuses " + refuses.call();
             case Step.Rejects rejects -> "rejects " + rejects.call();
             case Step.Streams streams -> "streams " + streams.call();
             case Step.Receives receives -> "receives " + receives.call();
@@ -131,6 +134,7 @@ public final class Conformance {
             case Step.Acquires acquires -> "acquires " + wiring.bound(component, acquires.resource());
             case Step.Releases releases -> "releases " + wiring.bound(component, releases.resource());
             case Step.Stops stops -> "stops";
+            case Step.Ends ends -> "ends";
             case Step.Outgoing outgoing ->
                 verb(outgoing) + " " + wiring.provider(component, outgoing) + "." + outgoing.call();
         };

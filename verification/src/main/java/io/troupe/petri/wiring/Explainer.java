@@ -16,7 +16,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.jspecify.annotations.Nullable;
 
 /** Explains markings in which components cannot go on, as {@link Counterexample}s. */
 final class Explainer {
@@ -43,18 +42,28 @@ final class Explainer {
 
     /** The state of each component and mailbox in a marking. */
     private record Scene(
-            Map<String, String> at, Map<String, Step.Requests> asking, Map<String, List<String>> mailboxes) {
+            Map<String, String> at,
+            Map<String, String> ended,
+            Map<String, Step.Requests> asking,
+            Map<String, Step.Waiting> decided,
+            Map<String, List<String>> mailboxes) {
         static Scene of(Marking marking, WiringNet net) {
-            var scene = new Scene(new LinkedHashMap<>(), new HashMap<>(), new HashMap<>());
+            var scene = new Scene(
+                    new LinkedHashMap<>(), new HashMap<>(), new HashMap<>(), new HashMap<>(), new HashMap<>());
             for (var place : marking.marked()) {
                 switch (net.componentState(place)) {
                     case WiringNet.ComponentState.At(var component, var where) -> scene.at.put(component, where);
                     case WiringNet.ComponentState.Asking(var component, var request) ->
                         scene.asking.put(component, request);
+                    case WiringNet.ComponentState.Decided(var component, var step) ->
+                        scene.decided.put(component, step);
+                    case WiringNet.ComponentState.Served(var component, var request) ->
+                        scene.asking.put(component, request);
                     case WiringNet.ComponentState.Holding(var component, var messages) ->
                         scene.mailboxes.put(component, messages);
                     case WiringNet.ComponentState.Unanswered unanswered -> {}
                     case WiringNet.ComponentState.Serving serving -> {}
+                    case WiringNet.ComponentState.Ended(var component, var where) -> scene.ended.put(component, where);
                     case WiringNet.ComponentState.Other other -> {}
                 }
             }
@@ -71,20 +80,25 @@ final class Explainer {
             }
             var asked = scene.asking().get(component);
             var where = scene.at().get(component);
-            if (asked != null) {
+            var decided = scene.decided().get(component);
+            if (decided != null) {
+                waits.put(component, wait(component, decided.from(), List.of(decided), scene));
+            } else if (asked != null) {
                 waits.put(component, new Wait.Answer(component, wiring.provider(component, asked), asked.call()));
             } else if (where != null) {
-                waits.put(component, idle(component, where, scene));
+                waits.put(
+                        component,
+                        wait(component, where, wiring.protocol(component).out(where), scene));
             }
         }
         return waits;
     }
 
-    /** The wait of a component that is in a state without an enabled step. */
-    private Wait idle(String component, String state, Scene scene) {
+    /** The wait of a component that is in a state and may take none of these steps. */
+    private Wait wait(String component, String state, List<? extends Step> steps, Scene scene) {
         var ways = new LinkedHashSet<Wait>();
         var offers = new LinkedHashSet<Wait.Offer>();
-        for (var step : wiring.protocol(component).out(state)) {
+        for (var step : steps) {
             switch (step) {
                 case Step.Receives receives ->
                     ways.add(new Wait.Message(
@@ -111,7 +125,11 @@ final class Explainer {
                                     Collections.nCopies(wiring.window(component, emits.call()), emits.call()))));
                 case Step.Acquires acquires -> {
                     var resource = wiring.bound(component, acquires.resource());
-                    ways.add(new Wait.Resource(component, resource, holders(resource, scene)));
+                    var holders = holders(resource, scene);
+                    var others = holders.stream()
+                            .filter(holder -> !holder.equals(component))
+                            .toList();
+                    ways.add(new Wait.Resource(component, resource, others.isEmpty() ? holders : others));
                 }
                 default -> {}
             }
@@ -138,7 +156,14 @@ final class Explainer {
                 .filter(net.chosen()::contains)
                 .filter(component -> {
                     var asked = scene.asking().get(component);
-                    var state = asked != null ? asked.from() : scene.at().get(component);
+                    var decided = scene.decided().get(component);
+                    var state = decided != null
+                            ? decided.from()
+                            : asked != null
+                                    ? asked.from()
+                                    : scene.at()
+                                            .getOrDefault(
+                                                    component, scene.ended().get(component));
                     return state != null
                             && wiring.protocol(component).held(state).stream()
                                     .anyMatch(role ->
@@ -155,22 +180,23 @@ final class Explainer {
     private List<String> callers(String component, String call, Scene scene) {
         var all = wiring.callers(component, call, net.chosen());
         var near = all.stream()
-                .filter(caller -> getsTo(
-                        component,
-                        call,
-                        caller,
-                        scene.at().get(caller),
-                        scene.asking().get(caller)))
+                .filter(caller -> getsTo(component, call, caller, scene))
                 .toList();
         return near.isEmpty() ? all : near;
     }
 
-    private boolean getsTo(
-            String component, String call, String caller, @Nullable String state, Step.@Nullable Requests asked) {
+    private boolean getsTo(String component, String call, String caller, Scene scene) {
+        var asked = scene.asking().get(caller);
         if (asked != null && wiring.provider(caller, asked).equals(component)) {
             return false;
         }
-        var start = asked != null ? asked.to() : state;
+        var decided = scene.decided().get(caller);
+        if (decided instanceof Step.Asks asks && wiring.target(caller, asks).equals(component + "." + call)) {
+            return true;
+        }
+        var start = decided != null
+                ? decided.to()
+                : asked != null ? asked.to() : scene.at().get(caller);
         if (start == null) {
             return true; // it is being served, or serves a call
         }

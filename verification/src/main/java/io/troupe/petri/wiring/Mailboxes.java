@@ -4,7 +4,6 @@ import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import io.troupe.petri.wiring.WiringNet.Event;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 
 /**
  * One-way messages: a place for each content of a mailbox, so that the order of the messages is exact, and so is what
@@ -66,8 +65,7 @@ final class Mailboxes {
     }
 
     private void fromOutside(String receiver, Wiring.Mailbox mailbox, String message) {
-        var senders = wiring.senders(receiver, message, Set.copyOf(wiring.components()));
-        if (!wiring.isOpen(receiver + "." + message) && net.chosen().containsAll(senders)) {
+        if (!net.comesFromOutside(receiver, message)) {
             return;
         }
         for (var content : contents(mailbox, wiring.protocol(receiver).received())) {
@@ -94,6 +92,7 @@ final class Mailboxes {
             return;
         }
         var mailbox = wiring.mailbox(receiver).orElseThrow();
+        var begun = net.begun(sender, step);
         for (var content : contents(mailbox, wiring.protocol(receiver).received())) {
             var isFull = content.size() == mailbox.capacity();
             if (isFull && mailbox.overflow() == Overflow.BLOCK) {
@@ -109,10 +108,9 @@ final class Mailboxes {
             net.draft()
                     .step(
                             label + " to " + content + ending,
-                            Event.of(sender)
-                                    .begins(sender, step)
+                            begun.event()
                                     .seen(isRejected ? Kind.REFUSED : Kind.SENT, sender, receiver + "." + step.call()),
-                            List.of(from, place(receiver, content)),
+                            List.of(begun.place(), place(receiver, content)),
                             List.of(
                                     state,
                                     place(receiver, isRejected ? content : after(content, step.call(), mailbox))));
@@ -139,7 +137,7 @@ final class Mailboxes {
         return all;
     }
 
-    private static String place(String component, List<String> content) {
+    static String place(String component, List<String> content) {
         return component + "'s mailbox " + content;
     }
 }

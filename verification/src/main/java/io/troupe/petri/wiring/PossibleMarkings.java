@@ -18,6 +18,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicReferenceArray;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -177,6 +178,7 @@ final class PossibleMarkings {
                                         each.kind() != ProtocolEvent.Kind.DID || observed.contains(each.what())));
             }
         }
+        local.forEach(places -> places.forEach(place -> net.onlyWay(place).ifPresent(way -> add(place, way.waits()))));
         var start = local.stream().map(PossibleMarkings::marked).toList();
         first = close(List.of(new World(
                 IntStream.range(0, start.size())
@@ -243,6 +245,23 @@ final class PossibleMarkings {
         if (event.isEmpty() || firing.event().mayBeUnseen()) {
             (firing.isLocal() ? unseen.get(firing.components()[0]) : unseenBetween).add(firing);
         }
+    }
+
+    /** An event in which a component stays on its place. */
+    private void add(Place place, ProtocolEvent event) {
+        int component = components.indexOf(event.component());
+        int[] where = {local.get(component).indexOf(place)};
+        int[] none = {};
+        seen.computeIfAbsent(event, key -> new ArrayList<>())
+                .add(new Firing(
+                        WiringNet.Event.of(event.component()),
+                        new int[] {component},
+                        where,
+                        where,
+                        none,
+                        none,
+                        none,
+                        none));
     }
 
     List<World> first() {
@@ -418,23 +437,40 @@ final class PossibleMarkings {
     boolean isWithin(List<World> now, String component, Set<String> states) {
         return places(now, components.indexOf(component)).stream()
                 .allMatch(place ->
-                        net.componentState(place) instanceof ComponentState.At at && states.contains(at.state()));
+                        net.componentState(place).in().filter(states::contains).isPresent());
     }
 
-    /** Whether a component may have no call under way. */
+    /** Whether a component may have no call and no wait under way. */
     boolean mayRest(List<World> now, String component) {
-        return places(now, components.indexOf(component)).stream().anyMatch(this::isRest);
+        var index = components.indexOf(component);
+        return now.stream()
+                .anyMatch(world -> world.local().get(index).stream().anyMatch(place -> isRest(world, index, place)));
     }
 
-    private boolean isRest(Place place) {
-        return net.componentState(place) instanceof ComponentState.At;
+    private boolean isRest(World world, int component, int place) {
+        var where = local.get(component).get(place);
+        var state = net.componentState(where);
+        return state instanceof ComponentState.Ended
+                || state instanceof ComponentState.At
+                        && (net.onlyWay(where).isEmpty() || canLeave(world, component, place));
+    }
+
+    /** Whether a component can take a step from this place; to fail is none. */
+    private boolean canLeave(World world, int component, int place) {
+        return firings.stream()
+                .filter(firing -> firing.find(component) >= 0 && firing.from()[firing.find(component)] == place)
+                .filter(firing -> firing.event()
+                        .seen()
+                        .filter(event -> event.kind() == ProtocolEvent.Kind.FAILED)
+                        .isEmpty())
+                .anyMatch(firing -> firing.mayFire(world));
     }
 
     /** What is surely under way: a component with its situation, or words for a message or question; else empty. */
     Optional<Map.Entry<String, String>> underWay(List<World> now) {
         for (var component : components) {
             if (!mayRest(now, component)) {
-                return Optional.of(Map.entry(component, component + " " + describe(now, component)));
+                return Optional.of(Map.entry(component, component + " " + wait(now, component)));
             }
         }
         Optional<Map.Entry<String, String>> found = Optional.empty();
@@ -450,7 +486,7 @@ final class PossibleMarkings {
     private Optional<Map.Entry<String, String>> underWay(World world) {
         for (var component : components) {
             if (!mayRest(List.of(world), component)) {
-                return Optional.of(Map.entry(component, component + " " + describe(List.of(world), component)));
+                return Optional.of(Map.entry(component, component + " " + wait(List.of(world), component)));
             }
         }
         for (var i = 0; i < between.size(); i++) {
@@ -471,6 +507,56 @@ final class PossibleMarkings {
             }
         }
         return Optional.empty();
+    }
+
+    /** What a component that does not rest waits for. */
+    private String wait(List<World> now, String component) {
+        return describe(
+                now,
+                component,
+                place -> net.onlyWay(place)
+                        .map(way -> waiting(now, component, way.step()))
+                        .orElseGet(() -> describe(now, place)));
+    }
+
+    private String waiting(List<World> now, String component, Step.Waiting step) {
+        return switch (step) {
+            case Step.Acquires acquires -> {
+                var resource = wiring.bound(component, acquires.resource());
+                yield "waits for " + resource + held(now, resource);
+            }
+            case Step.Sends sends -> {
+                var receiver = wiring.provider(component, sends);
+                yield "waits for room to send " + sends.call() + " to " + receiver + contents(now, receiver);
+            }
+            case Step.Emits emits -> "waits for room to emit " + emits.call();
+            case Step.Asks asks ->
+                "waits to ask " + wiring.target(component, asks) + " again, since its question is still open";
+        };
+    }
+
+    /** Who may hold a resource. */
+    private String held(List<World> now, String resource) {
+        var found = IntStream.range(0, components.size())
+                .filter(i -> places(now, i).stream()
+                        .flatMap(place -> net.componentState(place).in().stream())
+                        .flatMap(state -> wiring.protocol(components.get(i)).held(state).stream())
+                        .anyMatch(role -> wiring.bound(components.get(i), role).equals(resource)))
+                .mapToObj(components::get)
+                .toList();
+        return found.isEmpty()
+                ? ""
+                : ", which " + String.join(" and ", found) + (found.size() == 1 ? " holds" : " hold");
+    }
+
+    private String contents(List<World> now, String receiver) {
+        return IntStream.range(0, between.size())
+                .filter(i -> net.componentState(between.get(i)) instanceof ComponentState.Holding holding
+                        && holding.component().equals(receiver)
+                        && now.stream().anyMatch(world -> world.between().get(i) > 0))
+                .mapToObj(i -> ", whose mailbox holds "
+                        + ((ComponentState.Holding) net.componentState(between.get(i))).messages())
+                .collect(Collectors.joining(" or"));
     }
 
     /**
@@ -556,29 +642,37 @@ final class PossibleMarkings {
 
     /** For example {@code is in "ready" or is in "loaded"}. */
     String describe(List<World> now, String component) {
+        return describe(now, component, place -> describe(now, place));
+    }
+
+    private String describe(List<World> now, String component, Function<Place, String> words) {
         return places(now, components.indexOf(component)).stream()
-                .flatMap(place -> switch (net.componentState(place)) {
-                    case ComponentState.At(var it, var state) -> Stream.of("is in \"" + state + "\"");
-                    case ComponentState.Asking(var it, var request) ->
-                        List.of("waits for " + wiring.provider(it, request) + "." + request.call()
-                                        + ", which is not accepted yet")
-                                .stream();
-                    case ComponentState.Unanswered(var it, var target) ->
-                        List.of("waits for the answer of " + target).stream();
-                    case ComponentState.Serving(var it, var call) ->
-                        List.of("answers " + call + callers(now, it + "." + call)).stream();
-                    default -> List.of("has failed").stream();
-                })
+                .map(words)
                 .distinct()
                 .sorted()
                 .collect(Collectors.joining(" or "));
     }
 
+    private String describe(List<World> now, Place place) {
+        return switch (net.componentState(place)) {
+            case ComponentState.At(var it, var state) -> "is in \"" + state + "\"";
+            case ComponentState.Asking(var it, var request) ->
+                "waits for " + wiring.target(it, request) + ", which is not accepted yet";
+            case ComponentState.Served(var it, var request) -> "waits for the answer of " + wiring.target(it, request);
+            case ComponentState.Ended(var it, var state) -> "has ended in \"" + state + "\"";
+            case ComponentState.Serving(var it, var call, var state) ->
+                "answers " + call + callers(now, it + "." + call);
+            case ComponentState.Decided(var it, var step) -> waiting(now, it, step);
+            default -> "has failed";
+        };
+    }
+
     private String callers(List<World> now, String target) {
         var found = IntStream.range(0, components.size())
                 .filter(i -> places(now, i).stream()
-                        .anyMatch(place -> net.componentState(place) instanceof ComponentState.Unanswered call
-                                && call.target().equals(target)))
+                        .anyMatch(place -> net.componentState(place) instanceof ComponentState.Served call
+                                && wiring.target(call.component(), call.request())
+                                        .equals(target)))
                 .mapToObj(components::get)
                 .collect(Collectors.joining(" or "));
         return found.isEmpty() ? "" : " to " + found;

@@ -14,8 +14,10 @@ import java.util.stream.Stream;
  * The behaviour of one kind of component: its states, the steps that lead out of them, and where it may stop or fail.
  *
  * <p>Several steps out of one state are a choice. The component chooses its own steps at any time: a private step, a
- * request, a message, a resource that is free. An offer is taken when another component calls. A component that made a
- * request waits until it is answered; one that offers a call in a state waits there for it.
+ * request, a message, a resource. A step that has to wait is a choice, too: a component that has chosen a request, or a
+ * resource that is held, or a message to a mailbox that is full, stays with it and takes no other step, unless it only
+ * {@link #tries}. What comes from others is no choice: a state with several offers, messages and answers takes the one
+ * that comes.
  *
  * {@snippet :
  * var client = Protocol.of("client")
@@ -31,13 +33,17 @@ import java.util.stream.Stream;
  * <caption>The steps</caption>
  * <tr><td>{@link #does}</td><td>a private step</td></tr>
  * <tr><td>{@link #requests}, {@link #provides}, {@link #rejects}</td><td>a call whose caller waits</td></tr>
+ * <tr><td>{@link #accepts}, {@link #answers}, {@link #refuses}</td>
+ *     <td>a call that is answered later, after other steps</td></tr>
  * <tr><td>{@link #asks}, {@link #answered}, {@link #rejected}, {@link #cancels}</td>
  *     <td>a call whose caller goes on and takes the answer later, as with a promise</td></tr>
  * <tr><td>{@link #streams}, {@link #emits}, {@link #finishes}, {@link #finished}</td>
  *     <td>a call with many answers, as with a callback</td></tr>
  * <tr><td>{@link #sends}, {@link #receives}</td><td>a one-way message into a bounded mailbox</td></tr>
  * <tr><td>{@link #acquires}, {@link #releases}</td><td>a resource that one component at a time may hold</td></tr>
+ * <tr><td>{@link #tries}</td><td>one of the above that does not stay with it while it has to wait</td></tr>
  * <tr><td>{@link #stops}</td><td>back to the first state</td></tr>
+ * <tr><td>{@link #ends}</td><td>nothing more</td></tr>
  * </table>
  *
  * <p>A message that no state receives stays in the mailbox, and holds up those behind it. A question that was asked
@@ -58,18 +64,22 @@ public final class Protocol {
     private final Optional<String> failure;
     /** By state: the resources that the component holds in it, one that is held twice named twice. */
     private final Map<String, List<String>> held;
+    /** By state: the calls that were accepted and not answered, one that was accepted twice named twice. */
+    private final Map<String, List<String>> owed;
 
     Protocol(
             String name,
             List<String> states,
             List<Step> steps,
             Optional<String> failure,
-            Map<String, List<String>> held) {
+            Map<String, List<String>> held,
+            Map<String, List<String>> owed) {
         this.name = name;
         this.states = List.copyOf(states);
         this.steps = List.copyOf(steps);
         this.failure = failure;
         this.held = Map.copyOf(held);
+        this.owed = Map.copyOf(owed);
     }
 
     /** Starts a declaration; a component starts in the state that is declared first. */
@@ -100,12 +110,41 @@ public final class Protocol {
         return new Branch.Builder(Branch.Kind.REQUESTS, target);
     }
 
-    /** A call that other components may make while the component is in this state. */
+    /**
+     * A call that other components may make while the component is in this state, and that is answered before it is in
+     * the next one: the short form of {@link #accepts} and {@link #answers} with nothing between them.
+     */
     public static Branch.Builder provides(String call) {
         return new Branch.Builder(Branch.Kind.PROVIDES, call);
     }
 
-    /** A call that the component rejects while it is in this state. */
+    /**
+     * A call that other components may make while the component is in this state. It owes the answer from then on, until
+     * a later state {@link #answers} or {@link #refuses}; between them may be any steps, such as other calls:
+     *
+     * {@snippet :
+     * Protocol.of("cache")
+     *         .state("idle", accepts("get").then("looking"))
+     *         .state("looking", does("find it").then("found"), requests("server.get").then("found"))
+     *         .state("found", answers("get").then("idle"))
+     *         .build();
+     * }
+     */
+    public static Branch.Builder accepts(String call) {
+        return new Branch.Builder(Branch.Kind.ACCEPTS, call);
+    }
+
+    /** Answers a call that was accepted; if several callers wait for it, any of them. */
+    public static Branch.Builder answers(String call) {
+        return new Branch.Builder(Branch.Kind.ANSWERS, call);
+    }
+
+    /** Rejects a call that was accepted; if several callers wait for it, that of any of them. */
+    public static Branch.Builder refuses(String call) {
+        return new Branch.Builder(Branch.Kind.REFUSES, call);
+    }
+
+    /** A call that the component rejects while it is in this state, instead of accepting it. */
     public static Branch.Builder rejects(String call) {
         return new Branch.Builder(Branch.Kind.REJECTS, call);
     }
@@ -182,9 +221,31 @@ public final class Protocol {
         return new Branch.Builder(Branch.Kind.RELEASES, resource);
     }
 
+    /**
+     * A step that is taken only when it does not have to wait; until then the other ways out of the state stay open, as
+     * of a program that tries again, or waits with a time-out. It is one that {@link #acquires}, {@link #sends},
+     * {@link #emits} or {@link #asks}.
+     *
+     * <p>{@code state("one", tries(acquires("tool")).then("two"), does("give up").then("putting back"))}
+     */
+    public static Branch.Builder tries(Branch.Builder step) {
+        return step.tries();
+    }
+
     /** Allows the component to stop here: it goes back to its first state. */
     public static Branch stops() {
-        return new Branch(Branch.Kind.STOPS, "", "");
+        return new Branch.Builder(Branch.Kind.STOPS, "").then("");
+    }
+
+    /**
+     * The component has ended in this state, which nothing else leads out of. It waits for nothing any more; nor do
+     * components that only such call as have ended, where they wait for a call. To call a component that has ended is to
+     * wait for ever.
+     *
+     * <p>{@code state("over", ends())}
+     */
+    public static Branch ends() {
+        return new Branch.Builder(Branch.Kind.ENDS, "").then("");
     }
 
     public String name() {
@@ -199,7 +260,8 @@ public final class Protocol {
     /** The calls that are offered, each once, in the order of their declaration. */
     public List<String> provided() {
         return steps.stream()
-                .filter(step -> step instanceof Step.Provides || step instanceof Step.Streams)
+                .filter(step ->
+                        step instanceof Step.Provides || step instanceof Step.Accepts || step instanceof Step.Streams)
                 .map(step -> ((Step.Incoming) step).call())
                 .distinct()
                 .toList();
@@ -239,11 +301,17 @@ public final class Protocol {
 
     /** Whether it may fail in this state. */
     boolean failsIn(String state) {
-        return failure.isPresent() && !failure.get().equals(state);
+        return failure.isPresent()
+                && !failure.get().equals(state)
+                && steps(Step.Ends.class).noneMatch(step -> step.from().equals(state));
     }
 
     List<String> held(String state) {
         return held.getOrDefault(state, List.of());
+    }
+
+    List<String> owed(String state) {
+        return owed.getOrDefault(state, List.of());
     }
 
     <S extends Step> Stream<S> steps(Class<S> kind) {
@@ -257,7 +325,17 @@ public final class Protocol {
     /** Whether a call may be rejected. */
     boolean mayReject(String call) {
         return failure.isPresent() && offers(call)
-                || steps(Step.Rejects.class).anyMatch(step -> step.call().equals(call));
+                || steps(Step.Rejects.class).anyMatch(step -> step.call().equals(call))
+                || steps(Step.Refuses.class).anyMatch(step -> step.call().equals(call));
+    }
+
+    boolean answersLater(String call) {
+        return steps(Step.Accepts.class).anyMatch(step -> step.call().equals(call));
+    }
+
+    /** Whether a call is accepted and answered at once. */
+    boolean answersAtOnce(String call) {
+        return steps(Step.Provides.class).anyMatch(step -> step.call().equals(call));
     }
 
     /** Whether the answers of a call are a stream. */

@@ -10,7 +10,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * Collects the states of a {@link Protocol}.
@@ -45,7 +47,10 @@ public final class ProtocolBuilder {
     public ProtocolBuilder state(String state, Branch... branches) {
         requireReadable("state", state);
         require(!states.contains(state), "state " + state + " is declared twice");
-        require(branches.length > 0, "nothing leads out of state " + state + "; expected a step or a stop");
+        require(branches.length > 0, "nothing leads out of state " + state + "; expected a step, a stop or ends()");
+        require(
+                branches.length == 1 || Stream.of(branches).noneMatch(branch -> branch.kind() == Branch.Kind.ENDS),
+                "state " + state + " ends and has other ways out; expected ends() alone");
         states.add(state);
         var names = new HashSet<String>();
         for (var branch : branches) {
@@ -61,6 +66,7 @@ public final class ProtocolBuilder {
     private void requireGood(String state, Branch branch) {
         switch (branch.kind()) {
             case DOES -> requireReadable("step", branch.what());
+            case ENDS -> {} // see state
             case STOPS ->
                 require(
                         !state.equals(states.get(0)),
@@ -127,7 +133,8 @@ public final class ProtocolBuilder {
             step.targets().forEach(to -> requireDeclared("a step of state " + step.from() + " leads", to));
         }
         failure.ifPresent(state -> requireDeclared("a failure leads", state));
-        var held = held();
+        var held = along("holding", this::held);
+        var owed = along("owing the answers of", this::owed);
         for (var state : states) {
             require(
                     held.containsKey(state),
@@ -135,8 +142,21 @@ public final class ProtocolBuilder {
                             + "; expected a step that leads to it");
         }
         requireTakenOnlyIfAsked();
-        var protocol = new Protocol(name, states, steps, failure, held);
-        for (var offer : protocol.steps(Step.Provides.class).toList()) {
+        var protocol = new Protocol(name, states, steps, failure, held, owed);
+        for (var offer : protocol.steps(Step.Incoming.class).toList()) {
+            require(
+                    !(offer instanceof Step.Accepts)
+                            || steps.stream()
+                                    .anyMatch(step -> step instanceof Step.Answers answers
+                                                    && answers.call().equals(offer.call())
+                                            || step instanceof Step.Refuses refuses
+                                                    && refuses.call().equals(offer.call())),
+                    "state " + offer.from() + " accepts " + offer.call()
+                            + ", which no state answers or refuses; expected" + " answers(\"" + offer.call()
+                            + "\") in a later state");
+            if (!(offer instanceof Step.Provides || offer instanceof Step.Accepts)) {
+                continue;
+            }
             require(
                     !protocol.isStream(offer.call()),
                     "call " + offer.call() + " is answered once in state " + offer.from()
@@ -182,51 +202,80 @@ public final class ProtocolBuilder {
         }
     }
 
-    /** By state that can be reached: the resources that are held in it. */
-    private Map<String, List<String>> held() {
-        var held = new LinkedHashMap<String, List<String>>();
-        held.put(states.get(0), List.of());
-        failure.ifPresent(state -> held.put(state, List.of()));
-        var ahead = new ArrayDeque<>(held.keySet());
+    /** By state that can be reached: what a component has to give back in it, which each step adds to or takes from. */
+    private Map<String, List<String>> along(String having, BiConsumer<Step, List<String>> change) {
+        var all = new LinkedHashMap<String, List<String>>();
+        all.put(states.get(0), List.of());
+        failure.ifPresent(state -> all.put(state, List.of()));
+        var ahead = new ArrayDeque<>(all.keySet());
         while (!ahead.isEmpty()) {
             var state = ahead.remove();
-            var here = requireNonNull(held.get(state));
             for (var step : steps) {
                 if (!step.from().equals(state)) {
                     continue;
                 }
-                var after = after(step, here);
+                var changed = new ArrayList<>(requireNonNull(all.get(state)));
+                change.accept(step, changed);
+                var after = changed.stream().sorted().toList();
                 step.targets().forEach(to -> {
-                    var other = held.putIfAbsent(to, after);
+                    var other = all.putIfAbsent(to, after);
                     require(
                             other == null || other.equals(after),
-                            "state " + to + " is reached holding " + after + " and holding " + other
-                                    + "; expected the same resources on every way there");
+                            "state " + to + " is reached " + having + " " + after + " and " + having + " " + other
+                                    + "; expected the same on every way there");
                     if (other == null) {
                         ahead.add(to);
                     }
                 });
             }
         }
-        return held;
+        return all;
     }
 
-    private List<String> after(Step step, List<String> held) {
-        var after = new ArrayList<>(held);
+    private void held(Step step, List<String> held) {
         switch (step) {
-            case Step.Acquires acquires -> after.add(acquires.resource());
+            case Step.Acquires acquires -> held.add(acquires.resource());
             case Step.Releases releases ->
                 require(
-                        after.remove(releases.resource()),
+                        held.remove(releases.resource()),
                         "state " + step.from() + " releases " + releases.resource() + ", but it holds " + held
                                 + " there; expected a resource that it acquired before");
             case Step.Stops stops ->
                 require(
                         held.isEmpty(),
                         "state " + step.from() + " stops holding " + held + "; expected releases before the stop");
+            case Step.Ends ends ->
+                require(
+                        held.isEmpty(),
+                        "state " + step.from() + " ends holding " + held + "; expected releases before the end");
             default -> {}
         }
-        return after.stream().sorted().toList();
+    }
+
+    private void owed(Step step, List<String> owed) {
+        switch (step) {
+            case Step.Accepts accepts -> owed.add(accepts.call());
+            case Step.Answers answers -> requireAccepted(step, "answers ", answers.call(), owed);
+            case Step.Refuses refuses -> requireAccepted(step, "refuses ", refuses.call(), owed);
+            case Step.Stops stops ->
+                require(
+                        owed.isEmpty(),
+                        "state " + step.from() + " stops owing the answers of " + owed
+                                + "; expected answers before the stop");
+            case Step.Ends ends ->
+                require(
+                        owed.isEmpty(),
+                        "state " + step.from() + " ends owing the answers of " + owed
+                                + "; expected answers before the end");
+            default -> {}
+        }
+    }
+
+    private void requireAccepted(Step step, String verb, String call, List<String> owed) {
+        require(
+                owed.remove(call),
+                "state " + step.from() + " " + verb + call + ", but it owes the answers of " + owed
+                        + " there; expected accepts(\"" + call + "\") before");
     }
 
     private void requireReadable(String what, String text) {

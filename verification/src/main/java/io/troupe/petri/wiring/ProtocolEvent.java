@@ -23,7 +23,8 @@ public record ProtocolEvent(Kind kind, String component, String what) {
         /** The other component has answered. An error is an answer, too, if no rejection is declared. */
         ANSWERED,
         /**
-         * The other component rejects the call instead of accepting it. A failure rejects what is served, by itself.
+         * The other component rejects the call, instead of accepting it or after that. A failure rejects what is
+         * served, by itself.
          */
         REJECTED,
         /** The caller does not wait for its request any more. */
@@ -54,6 +55,12 @@ public record ProtocolEvent(Kind kind, String component, String what) {
         RELEASED,
         /** A component fails; empty. */
         FAILED,
+        /**
+         * A component begins a step that has to wait: the resource, the message or call as {@code component.call}, or
+         * the call of its stream alone. It need not be reported; if it is, {@link WiringMonitor#idle} knows that the
+         * component does nothing else meanwhile.
+         */
+        WAITS,
         /** A private step that is observed, by its label. */
         DID
     }
@@ -61,7 +68,7 @@ public record ProtocolEvent(Kind kind, String component, String what) {
     /** Whether it is about a call, or a message that is sent. */
     boolean hasTarget() {
         return switch (kind) {
-            case EMITTED, FINISHED, RECEIVED, ARRIVED, ACQUIRED, RELEASED, FAILED, DID -> false;
+            case EMITTED, FINISHED, RECEIVED, ARRIVED, ACQUIRED, RELEASED, FAILED, WAITS, DID -> false;
             default -> true;
         };
     }
@@ -97,6 +104,7 @@ public record ProtocolEvent(Kind kind, String component, String what) {
             case ACQUIRED -> component + " takes " + what;
             case RELEASED -> component + " gives back " + what;
             case FAILED -> component + " fails";
+            case WAITS -> component + " waits for " + what;
             case DID -> component + ": " + what;
         };
     }
@@ -129,7 +137,7 @@ public record ProtocolEvent(Kind kind, String component, String what) {
             case ARRIVED -> "be sent " + what + " from outside";
             case ACQUIRED -> "take " + what;
             case RELEASED -> "give back " + what;
-            case FAILED -> ""; // always, where it may
+            case FAILED, WAITS -> ""; // always, where it may
             case DID -> "do \"" + what + "\"";
         };
     }

@@ -1,5 +1,7 @@
 package io.troupe.petri.wiring;
 
+import static java.util.Objects.requireNonNull;
+
 import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import io.troupe.petri.wiring.Step.Takes.Outcome;
 import io.troupe.petri.wiring.WiringNet.Event;
@@ -35,7 +37,13 @@ final class Questions {
     }
 
     private record Question(
-            String caller, String provider, String call, boolean isStream, boolean mayBeRejected, int window) {
+            String caller,
+            String provider,
+            String call,
+            boolean isStream,
+            boolean isAccepted,
+            boolean mayBeRejected,
+            int window) {
         static Question of(Wiring wiring, String caller, Step.Outgoing step) {
             var provider = wiring.provider(caller, step);
             var protocol = wiring.protocol(provider);
@@ -44,12 +52,17 @@ final class Questions {
                     provider,
                     step.call(),
                     protocol.isStream(step.call()),
+                    protocol.answersLater(step.call()),
                     protocol.mayReject(step.call()),
                     wiring.window(provider, step.call()));
         }
 
+        static String name(String caller, String target) {
+            return caller + "'s question " + target;
+        }
+
         String name() {
-            return caller + "'s question " + target();
+            return name(caller, target());
         }
 
         String target() {
@@ -67,6 +80,11 @@ final class Questions {
         /** Being served, or an open stream. */
         String open() {
             return name() + (isStream ? " is a stream" : " is served");
+        }
+
+        /** Accepted, to be answered in another state of the provider. */
+        String accepted() {
+            return name() + " is accepted";
         }
 
         /** Answered, or the end of a stream. */
@@ -95,6 +113,11 @@ final class Questions {
             }
             return all;
         }
+    }
+
+    /** The place that is marked while this question is not open. */
+    String notOpen(String caller, String target) {
+        return requireNonNull(questions.get(Question.name(caller, target))).none();
     }
 
     /** The place of a component that has just failed: there it closes its questions and streams, one by one. */
@@ -136,6 +159,13 @@ final class Questions {
                 .toList();
     }
 
+    /** Whether its provider, while it has the question, is on a place of this call; else it only accepts it. */
+    private boolean isServed(Question question) {
+        return question.isStream()
+                || !net.chosen().contains(question.provider())
+                || wiring.protocol(question.provider()).answersAtOnce(question.call());
+    }
+
     /** Adds all questions, and the steps of the components that have to do with them. */
     void add() {
         for (var component : wiring.components()) {
@@ -148,7 +178,10 @@ final class Questions {
             draft.place(question.none(), 1);
             var unanswered = new WiringNet.ComponentState.Unanswered(question.caller(), question.target());
             draft.place(question.asked(), 0, unanswered);
-            draft.place(question.open(), 0, question.isStream() ? new WiringNet.ComponentState.Other() : unanswered);
+            if (isServed(question)) {
+                draft.place(
+                        question.open(), 0, question.isStream() ? new WiringNet.ComponentState.Other() : unanswered);
+            }
             draft.place(question.settled(), 0);
             if (question.mayBeRejected()) {
                 draft.place(question.rejected(), 0);
@@ -158,6 +191,17 @@ final class Questions {
                 draft.place(question.room(), question.window());
             }
             if (net.chosen().contains(question.provider())) {
+                if (question.isAccepted()) {
+                    draft.place(question.accepted(), 0, unanswered);
+                    net.accepted()
+                            .question(
+                                    question.caller(),
+                                    question.target(),
+                                    question.asked(),
+                                    question.accepted(),
+                                    question.settled(),
+                                    question.mayBeRejected() ? List.of(question.rejected()) : List.of());
+                }
                 served(question);
             } else {
                 servedOutside(question);
@@ -291,12 +335,14 @@ final class Questions {
         var from = WiringNet.at(component, step.from());
         var to = WiringNet.at(component, step.to());
         switch (step) {
-            case Step.Asks asks ->
+            case Step.Asks asks -> {
+                var begun = net.begun(component, asks);
                 draft.step(
                         label,
-                        begins.seen(Kind.ASKED, component, question.target()),
-                        List.of(from, question.none()),
+                        begun.event().seen(Kind.ASKED, component, question.target()),
+                        List.of(begun.place(), question.none()),
                         List.of(to, question.asked()));
+            }
             case Step.Cancels cancels -> {
                 var event = begins.seen(Kind.GAVE_UP, component, question.target());
                 cancel(question, label, event, List.of(from), List.of(to));
@@ -328,7 +374,13 @@ final class Questions {
             var given = net.chosen().contains(question.provider())
                     ? List.of(net.abandoned(question.caller(), question.provider(), question.call()))
                     : List.<String>of();
-            cancel(question, label + ": being served", event, in, question.open(), out, given);
+            if (isServed(question)) {
+                cancel(question, label + ": being served", event, in, question.open(), out, given);
+            }
+            if (question.isAccepted() && net.chosen().contains(question.provider())) {
+                var gone = List.of(net.accepted().gone(question.caller(), question.target()));
+                cancel(question, label + ": accepted", event, in, question.accepted(), out, gone);
+            }
             cancel(question, label + ": answered", event, in, question.settled(), out, List.of());
             if (question.mayBeRejected()) {
                 cancel(question, label + ": rejected", event, in, question.rejected(), out, List.of());
@@ -392,30 +444,31 @@ final class Questions {
             return;
         }
         var label = net.labels().label(provider, wiring.protocol(provider), step);
-        var from = WiringNet.at(provider, step.from());
         var to = WiringNet.at(provider, step.to());
-        var event = Event.of(provider)
-                .begins(provider, step)
-                .seen(step instanceof Step.Emits ? Kind.EMITTED : Kind.FINISHED, provider, call);
+        var begun = step instanceof Step.Emits emits
+                ? net.begun(provider, emits)
+                : new WiringNet.Begun(
+                        WiringNet.at(provider, step.from()), Event.of(provider).begins(provider, step));
+        var event = begun.event().seen(step instanceof Step.Emits ? Kind.EMITTED : Kind.FINISHED, provider, call);
         var asking = asking(provider, call);
         if (asking.isEmpty()) {
-            draft.step(label, event, List.of(from), List.of(to));
+            draft.step(label, event, List.of(begun.place()), List.of(to));
             return;
         }
         var idle = idle(provider, call);
-        draft.step(label + " without a stream", event, List.of(from, idle), List.of(to, idle));
+        draft.step(label + " without a stream", event, List.of(begun.place(), idle), List.of(to, idle));
         for (var question : asking) {
             if (step instanceof Step.Emits) {
                 draft.step(
                         label + " to " + question.caller(),
                         event,
-                        List.of(from, question.open(), question.room()),
+                        List.of(begun.place(), question.open(), question.room()),
                         List.of(to, question.open(), question.item()));
             } else {
                 draft.step(
                         label + " to " + question.caller(),
                         event,
-                        List.of(from, question.open()),
+                        List.of(begun.place(), question.open()),
                         List.of(to, question.settled(), idle));
             }
         }

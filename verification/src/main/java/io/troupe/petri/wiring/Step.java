@@ -32,6 +32,14 @@ sealed interface Step {
         String call();
     }
 
+    /**
+     * A step that may have to wait until something is free. A component that has chosen it stays with it, unless it
+     * only {@link Protocol#tries}.
+     */
+    sealed interface Waiting extends Step {
+        boolean tries();
+    }
+
     /** A private step, in which no other component takes part. */
     record Does(String from, String label, String to) implements Step {}
 
@@ -48,6 +56,15 @@ sealed interface Step {
     /** Waits for a call and answers it. */
     record Provides(String from, String call, String to) implements Incoming {}
 
+    /** Waits for a call and accepts it, to answer or refuse it in a later state. */
+    record Accepts(String from, String call, String to) implements Incoming {}
+
+    /** Answers a call that was accepted. */
+    record Answers(String from, String call, String to) implements Step {}
+
+    /** Rejects a call that was accepted. */
+    record Refuses(String from, String call, String to) implements Step {}
+
     /** Waits for a call and rejects it. */
     record Rejects(String from, String call, String to) implements Incoming {}
 
@@ -55,13 +72,13 @@ sealed interface Step {
     record Streams(String from, String call, String to) implements Incoming {}
 
     /** Puts an item into the open stream of a call, if there is one. */
-    record Emits(String from, String call, String to) implements Step {}
+    record Emits(String from, String call, String to, boolean tries) implements Waiting {}
 
     /** Ends the open stream of a call, if there is one. */
     record Finishes(String from, String call, String to) implements Step {}
 
     /** A call to the component in {@code role}; the caller goes on. */
-    record Asks(String from, String role, String call, String to) implements Outgoing {}
+    record Asks(String from, String role, String call, String to, boolean tries) implements Outgoing, Waiting {}
 
     /** Takes what came back for a question. */
     record Takes(String from, Outcome outcome, String role, String call, String to) implements Outgoing {
@@ -76,7 +93,8 @@ sealed interface Step {
     record Cancels(String from, String role, String call, String to) implements Outgoing {}
 
     /** Puts a one-way message into the mailbox of the component in {@code role}. */
-    record Sends(String from, String role, String call, String to, Optional<String> onRejection) implements Outgoing {
+    record Sends(String from, String role, String call, String to, Optional<String> onRejection, boolean tries)
+            implements Outgoing, Waiting {
         @Override
         public Stream<String> targets() {
             return Stream.of(Optional.of(to), onRejection).flatMap(Optional::stream);
@@ -87,10 +105,23 @@ sealed interface Step {
     record Receives(String from, String call, String to) implements Incoming {}
 
     /** Waits for a unit of a resource and holds it from then on. */
-    record Acquires(String from, String resource, String to) implements Step {}
+    record Acquires(String from, String resource, String to, boolean tries) implements Waiting {}
 
     /** Gives a unit of a resource back. */
     record Releases(String from, String resource, String to) implements Step {}
+
+    /** The component has ended: nothing leads out of its state. */
+    record Ends(String from) implements Step {
+        @Override
+        public String to() {
+            return from;
+        }
+
+        @Override
+        public Stream<String> targets() {
+            return Stream.of();
+        }
+    }
 
     /** Goes back to the first state. */
     record Stops(String from, String to) implements Step {}

@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import io.troupe.common.text.Suggestions;
 import io.troupe.petri.PetriNet;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -202,6 +203,54 @@ public final class Wiring {
                         .anyMatch(step -> step.call().equals(call)
                                 && provider(component, step).equals(other)))
                 .toList();
+    }
+
+    /** Checks the argument of a question about states: components with some of their states. */
+    void requireStates(Map<String, Set<String>> states) {
+        require(!states.isEmpty(), "a question is about no component; expected one or more with their states");
+        states.forEach((component, some) -> {
+            var known = protocol(component).states();
+            require(!some.isEmpty(), "a question is about no state of " + component + "; known: " + known);
+            for (var state : some) {
+                require(
+                        known.contains(state),
+                        component + " has no state " + state + "; " + Suggestions.hintWithAll(state, known));
+            }
+        });
+    }
+
+    /** By state of a component: its questions, written {@code component.call}, that may be open when it is there. */
+    Map<String, Set<String>> openQuestions(String component) {
+        var protocol = protocol(component);
+        var open = new HashMap<String, Set<String>>();
+        protocol.states().forEach(state -> open.put(state, new LinkedHashSet<>()));
+        var isGrowing = true;
+        while (isGrowing) {
+            isGrowing = false;
+            for (var step : protocol.steps()) {
+                var after = new LinkedHashSet<>(requireNonNull(open.get(step.from())));
+                switch (step) {
+                    case Step.Asks asks -> after.add(target(component, asks));
+                    case Step.Cancels cancels -> after.remove(target(component, cancels));
+                    case Step.Takes takes -> {
+                        if (takes.outcome() != Step.Takes.Outcome.ANSWER
+                                || !protocol(provider(component, takes)).isStream(takes.call())) {
+                            after.remove(target(component, takes));
+                        }
+                    }
+                    default -> {}
+                }
+                isGrowing |= step.targets()
+                        .map(to -> requireNonNull(open.get(to)).addAll(after))
+                        .reduce(false, Boolean::logicalOr);
+            }
+        }
+        return open;
+    }
+
+    /** The call or message of a step, written {@code component.call}. */
+    String target(String component, Step.Outgoing step) {
+        return provider(component, step) + "." + step.call();
     }
 
     /** Whether a call or message, written {@code component.call}, comes from outside. */

@@ -134,6 +134,7 @@ public final class WiringBuilder {
         parts.components().forEach((component, protocol) -> {
             protocol.outgoing().forEach(step -> requireAnswered(wiring, component, step));
             protocol.acquired().forEach(role -> requireResource(wiring, component, role));
+            protocol.steps(Step.Ends.class).forEach(step -> requireNoQuestion(wiring, component, step.from()));
             protocol.provided().forEach(call -> incoming.add(component + "." + call));
             protocol.received().forEach(message -> incoming.add(component + "." + message));
             protocol.provided().stream()
@@ -152,6 +153,14 @@ public final class WiringBuilder {
             protocol.received().forEach(message -> requireSent(wiring, component, message));
         });
         return wiring;
+    }
+
+    private void requireNoQuestion(Wiring wiring, String component, String state) {
+        var open = requireNonNull(wiring.openQuestions(component).get(state));
+        require(
+                open.isEmpty(),
+                component + " ends in state " + state + ", where its questions " + open
+                        + " may be open; expected to take what comes back, or cancels(..), before");
     }
 
     private void requireMailbox(Wiring wiring, String component, Wiring.Mailbox mailbox) {

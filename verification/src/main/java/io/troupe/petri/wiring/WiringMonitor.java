@@ -29,8 +29,8 @@ import java.util.stream.Collectors;
  * the program can be. So it is always in a marking that the search has found, too, and a proof for the wiring holds for
  * what the program does. An event that no marking allows is a violation, and so is one after which every marking is
  * dead. So is a call between a component and something that the wiring does not have: a dependency that is not
- * declared. {@link #idle} finds a call that will never be answered, and {@link #never} adds combinations of states that
- * must not occur.
+ * declared. {@link #idle} finds a call that will never be answered and a component that waits, and {@link #never} adds
+ * combinations of states that must not occur.
  *
  * <p><b>Role.</b> The program, or its observers, report the events, of all steps that a {@link Protocol} can have.
  * Private steps and stops are not reported, and may happen at any time, unless {@link #observing} names them. The
@@ -149,20 +149,12 @@ public final class WiringMonitor {
     }
 
     /**
-     * Forbids that each of these components is surely in one of its states.
+     * Forbids that each of these components is surely in one of its states, as {@link WiringProgress#never} proves it.
      *
-     * @param states by component; a call under way is no state
+     * @param states by component; it is in a state until the step out of it is over, also while it waits for an answer
      */
     public synchronized void never(String what, Map<String, Set<String>> states) {
-        states.forEach((component, forbidden) -> {
-            for (var state : forbidden) {
-                if (!wiring.protocol(component).states().contains(state)) {
-                    throw new IllegalArgumentException(component + " has no state " + state + "; "
-                            + Suggestions.hintWithAll(
-                                    state, wiring.protocol(component).states()));
-                }
-            }
-        });
+        wiring.requireStates(states);
         never.add(new Never(what, Map.copyOf(states)));
     }
 
@@ -283,7 +275,9 @@ public final class WiringMonitor {
 
     /**
      * The program does nothing any more until something from outside arrives: a call that is under way now will never
-     * be answered, and a message in a mailbox never be received.
+     * be answered, a message in a mailbox never be received, and a component that waits for a resource, a mailbox or a
+     * window never go on. A component waits if the only way out of its state is a step that is not possible now, or if
+     * it has reported the begin of such a step ({@link Kind#WAITS}).
      */
     public synchronized void idle() {
         if (ended || violation.isPresent()) {

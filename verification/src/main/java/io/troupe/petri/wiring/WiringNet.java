@@ -3,6 +3,7 @@ package io.troupe.petri.wiring;
 import static java.util.Objects.requireNonNull;
 
 import io.troupe.petri.Arc;
+import io.troupe.petri.Marking;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;
 import io.troupe.petri.Transition;
@@ -16,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -74,18 +76,43 @@ final class WiringNet {
 
     /** What a token on a place means. */
     sealed interface ComponentState {
+        /** The state of the component: it is in it until the step out of it is over. */
+        default Optional<String> in() {
+            return switch (this) {
+                case At at -> Optional.of(at.state());
+                case Decided decided -> Optional.of(decided.step().from());
+                case Asking asking -> Optional.of(asking.request().from());
+                case Served served -> Optional.of(served.request().from());
+                case Serving serving -> Optional.of(serving.state());
+                case Ended ended -> Optional.of(ended.state());
+                case Unanswered unanswered -> Optional.empty();
+                case Holding holding -> Optional.empty();
+                case Other other -> Optional.empty();
+            };
+        }
+
         record At(String component, String state) implements ComponentState {}
 
+        /** A component waits until its request is accepted. */
         record Asking(String component, Step.Requests request) implements ComponentState {}
 
-        /** A call of a component that is being served, or that it asked and went on. */
+        /** A component waits for the answer to its request, which is accepted. */
+        record Served(String component, Step.Requests request) implements ComponentState {}
+
+        /** A question of a component that went on. */
         record Unanswered(String component, String target) implements ComponentState {}
 
-        /** A component serves a call. */
-        record Serving(String component, String call) implements ComponentState {}
+        /** A component serves a call that it took in {@code state}. */
+        record Serving(String component, String call, String state) implements ComponentState {}
 
         /** The contents of the mailbox of a component, oldest first. */
         record Holding(String component, List<String> messages) implements ComponentState {}
+
+        /** A component has chosen a step that may have to wait. */
+        record Decided(String component, Step.Waiting step) implements ComponentState {}
+
+        /** A component has ended, or is left by all that call it. */
+        record Ended(String component, String state) implements ComponentState {}
 
         /** Anything that does not make a component wait. */
         record Other() implements ComponentState {}
@@ -96,8 +123,10 @@ final class WiringNet {
     private final Set<String> chosen;
     private final Draft draft;
     private final Questions questions;
+    private final AcceptedCalls accepted;
     private final Map<String, Service> services = new HashMap<>();
     private final Set<String> abandoned = new HashSet<>();
+    private final Map<String, OnlyWay> onlyWays = new HashMap<>(); // by place
     private final PetriNet net;
 
     WiringNet(Wiring wiring, Set<String> chosen) {
@@ -106,6 +135,7 @@ final class WiringNet {
         labels = new Labels(wiring);
         draft = new Draft(wiring.name());
         questions = new Questions(this);
+        accepted = new AcceptedCalls(this);
         var components = wiring.components().stream().filter(chosen::contains).toList();
         components.forEach(component -> wiring.protocol(component)
                 .states()
@@ -118,6 +148,7 @@ final class WiringNet {
         components.forEach(this::steps);
         components.forEach(this::requests);
         questions.add();
+        accepted.add();
         var mailboxes = new Mailboxes(this);
         components.forEach(mailboxes::add);
         for (var stop : SynchronisedStop.of(wiring, chosen)) {
@@ -133,6 +164,7 @@ final class WiringNet {
                             .map(component -> at(component, first(component)))
                             .toList());
         }
+        new Endings(this).add();
         net = draft.build();
     }
 
@@ -142,6 +174,14 @@ final class WiringNet {
 
     Draft draft() {
         return draft;
+    }
+
+    Questions questions() {
+        return questions;
+    }
+
+    AcceptedCalls accepted() {
+        return accepted;
     }
 
     Labels labels() {
@@ -159,6 +199,14 @@ final class WiringNet {
 
     Event event(Transition transition) {
         return requireNonNull(draft.events.get(name(transition)));
+    }
+
+    /** The components that have ended in a marking, or are left by all that call them. */
+    Set<String> ended(Marking marking) {
+        return marking.marked().stream()
+                .filter(place -> componentState(place) instanceof ComponentState.Ended)
+                .map(place -> owner(place).orElseThrow())
+                .collect(Collectors.toSet());
     }
 
     /** The component of which this place is a part; empty for a place between components. */
@@ -226,14 +274,14 @@ final class WiringNet {
                         draft.step(label, event.seen(Kind.DID, component, offer.call()), List.of(from), List.of(to));
                     }
                 }
-                case Step.Acquires acquires ->
+                case Step.Acquires acquires -> {
+                    var begun = begun(component, acquires);
                     draft.step(
                             label,
-                            Event.of(component)
-                                    .begins(component, step)
-                                    .seen(Kind.ACQUIRED, component, wiring.bound(component, acquires.resource())),
-                            List.of(from, free(component, acquires.resource())),
+                            begun.event().seen(Kind.ACQUIRED, component, wiring.bound(component, acquires.resource())),
+                            List.of(begun.place(), free(component, acquires.resource())),
                             List.of(to));
+                }
                 case Step.Releases releases ->
                     draft.step(
                             label,
@@ -262,13 +310,84 @@ final class WiringNet {
         }
     }
 
+    /** Where a component is that may take a step now, and the event of the step. */
+    record Begun(String place, Event event) {}
+
+    /**
+     * The begin of a step that may have to wait. If there is something else that the component could do instead, its
+     * choice is a separate transition, and then it has no other way out but to fail.
+     */
+    Begun begun(String component, Step.Waiting step) {
+        var protocol = wiring.protocol(component);
+        var from = at(component, step.from());
+        var waits = new ProtocolEvent(Kind.WAITS, component, wantedBy(component, step));
+        var begins = Event.of(component).begins(component, step);
+        if (step.tries() || !mayWait(component, step)) {
+            return new Begun(from, begins);
+        }
+        if (protocol.out(step.from()).size() == 1) {
+            onlyWays.put(from, new OnlyWay(step, waits));
+            return new Begun(from, begins);
+        }
+        var what = labels.infinitive(component, protocol, step);
+        var place = component + " has decided to " + what;
+        draft.local(component, place, 0, new ComponentState.Decided(component, step));
+        draft.step(
+                component + " decides to " + what,
+                begins.seen(Kind.WAITS, component, waits.what()).orUnseen(),
+                List.of(from),
+                List.of(place));
+        if (protocol.failsIn(step.from())) {
+            fails(component, step.from(), component + " fails before it can " + what, List.of(place), List.of());
+        }
+        return new Begun(place, Event.of(component));
+    }
+
+    private boolean mayWait(String component, Step.Waiting step) {
+        return switch (step) {
+            case Step.Acquires acquires -> true;
+            case Step.Emits emits -> isCalled(component, emits.call());
+            case Step.Asks asks ->
+                requireNonNull(wiring.openQuestions(component).get(asks.from()))
+                        .contains(wiring.target(component, asks));
+            case Step.Sends sends ->
+                chosen.contains(wiring.provider(component, sends))
+                        && wiring.mailbox(wiring.provider(component, sends))
+                                .filter(mailbox -> mailbox.overflow() == Overflow.BLOCK)
+                                .isPresent();
+        };
+    }
+
+    private String wantedBy(String component, Step.Waiting step) {
+        return switch (step) {
+            case Step.Acquires acquires -> wiring.bound(component, acquires.resource());
+            case Step.Emits emits -> emits.call();
+            case Step.Asks asks -> wiring.target(component, asks);
+            case Step.Sends sends -> wiring.target(component, sends);
+        };
+    }
+
+    /** A step that may have to wait, and is the only one out of its state, so that being there is to have chosen it. */
+    record OnlyWay(Step.Waiting step, ProtocolEvent waits) {}
+
+    /** The step that a component on this place has chosen without a choice. */
+    Optional<OnlyWay> onlyWay(Place place) {
+        return Optional.ofNullable(onlyWays.get(net.places().get(place.index()).name()));
+    }
+
     /** What a request, or a message, to a component outside of the net may lead to besides the usual. */
     void outside(String component, String label, String from, Optional<String> state) {
         state.ifPresent(to -> draft.step(label, component, List.of(from), List.of(at(component, to))));
     }
 
-    private boolean isCalled(String component, String call) {
+    boolean isCalled(String component, String call) {
         return !wiring.callers(component, call, chosen).isEmpty();
+    }
+
+    /** Whether a message may come that no component of the net sends. */
+    boolean comesFromOutside(String receiver, String message) {
+        return wiring.isOpen(receiver + "." + message)
+                || !chosen.containsAll(wiring.senders(receiver, message, Set.copyOf(wiring.components())));
     }
 
     private String free(String component, String role) {
@@ -278,7 +397,7 @@ final class WiringNet {
     /** A failure of a component whose last state was {@code state}. */
     void fails(String component, String state, String label, List<String> in, List<String> more) {
         var out = new ArrayList<>(more);
-        out.add(questions.failed(component));
+        out.add(accepted.failed(component, wiring.protocol(component).owed(state)));
         wiring.protocol(component).held(state).forEach(role -> out.add(free(component, role)));
         draft.step(label, Event.of(component).seen(Kind.FAILED, component, ""), in, out);
     }
@@ -305,7 +424,7 @@ final class WiringNet {
                 where,
                 provider + " has taken " + offer.call() + where,
                 provider + " has done " + offer.call() + where);
-        var serving = new ComponentState.Serving(provider, offer.call());
+        var serving = new ComponentState.Serving(provider, offer.call(), offer.from());
         draft.local(provider, service.before(), 0, serving);
         draft.local(provider, service.after(), 0, serving);
         draft.step(
@@ -370,8 +489,25 @@ final class WiringNet {
         var caller = component + where;
         var waiting = component + " waits for " + target + where;
         var pending = component + " is served " + target + where;
+        var open = component + " waits for the answer of " + target + where;
+        var isServed = wiring.protocol(provider).answersAtOnce(call);
+        var isAccepted = wiring.protocol(provider).answersLater(call);
         draft.local(component, waiting, 0, new ComponentState.Asking(component, request));
-        draft.local(component, pending, 0, new ComponentState.Unanswered(component, target));
+        if (isServed) {
+            draft.local(component, pending, 0, new ComponentState.Served(component, request));
+        }
+        if (isAccepted) {
+            draft.local(component, open, 0, new ComponentState.Served(component, request));
+            accepted.request(
+                    component,
+                    caller,
+                    target,
+                    waiting,
+                    open,
+                    at(component, request.to()),
+                    request.onRejection().map(state -> at(component, state)).stream()
+                            .toList());
+        }
         draft.step(
                 component + " asks " + target + where,
                 Event.of(component).begins(component, request).seen(Kind.ASKED, component, target),
@@ -407,17 +543,33 @@ final class WiringNet {
             var event = caller + " times out: " + target;
             var seen = Event.of(component).seen(Kind.TIMED_OUT, component, target);
             draft.step(event + " was not taken", seen, List.of(waiting), List.of(at(component, state)));
-            var abandoned = List.of(at(component, state), abandoned(component, provider, call));
-            draft.step(event + " is served after the timeout", seen, List.of(pending), abandoned);
+            if (isServed) {
+                var abandoned = List.of(at(component, state), abandoned(component, provider, call));
+                draft.step(event + " is served after the timeout", seen, List.of(pending), abandoned);
+            }
+            if (isAccepted) {
+                var gone = List.of(at(component, state), accepted.gone(component, target));
+                draft.step(event + " is answered after the timeout", seen, List.of(open), gone);
+            }
         });
         if (wiring.protocol(component).failsIn(request.from())) {
             fails(component, request.from(), caller + " fails waiting for " + target, List.of(waiting), List.of());
-            fails(
-                    component,
-                    request.from(),
-                    caller + " fails while it is served " + target,
-                    List.of(pending),
-                    List.of(abandoned(component, provider, call)));
+            if (isServed) {
+                fails(
+                        component,
+                        request.from(),
+                        caller + " fails while it is served " + target,
+                        List.of(pending),
+                        List.of(abandoned(component, provider, call)));
+            }
+            if (isAccepted) {
+                fails(
+                        component,
+                        request.from(),
+                        caller + " fails waiting for the answer of " + target,
+                        List.of(open),
+                        List.of(accepted.gone(component, target)));
+            }
         }
     }
 
@@ -449,6 +601,10 @@ final class WiringNet {
         void local(String component, String place, int tokens, ComponentState meaning) {
             place(place, tokens, meaning);
             owners.put(place, component);
+        }
+
+        boolean has(String place) {
+            return places.containsKey(place);
         }
 
         void step(String step, String component, List<String> in, List<String> out) {
@@ -497,6 +653,22 @@ final class WiringNet {
                                             .filter(other -> other.label().equals(does.label())));
                 case Step.Requests request -> request(component, request);
                 case Step.Provides offer -> component + " does " + offer.call() + in(component, offer);
+                case Step.Accepts accepts -> component + " accepts " + accepts.call() + in(component, accepts);
+                case Step.Answers answers ->
+                    component + " answers " + answers.call()
+                            + in(
+                                    step,
+                                    protocol.steps(Step.class)
+                                            .filter(other -> other instanceof Step.Answers answer
+                                                            && answer.call().equals(answers.call())
+                                                    || other instanceof Step.Provides offer
+                                                            && offer.call().equals(answers.call())));
+                case Step.Refuses refuses ->
+                    component + " refuses " + refuses.call()
+                            + in(
+                                    step,
+                                    protocol.steps(Step.Refuses.class)
+                                            .filter(other -> other.call().equals(refuses.call())));
                 case Step.Rejects rejects -> component + " rejects " + rejects.call() + in(component, rejects);
                 case Step.Streams streams -> component + " streams " + streams.call() + in(component, streams);
                 case Step.Emits emits ->
@@ -527,9 +699,18 @@ final class WiringNet {
                                             .filter(other -> bound(component, other.resource())
                                                     .equals(bound(component, releases.resource()))));
                 case Step.Outgoing outgoing -> outgoing(component, outgoing);
+                case Step.Ends ends -> component + " ends" + in(step, protocol.steps(Step.Ends.class));
                 case Step.Stops stop ->
                     component + " stops" + (protocol.stopStates().size() == 1 ? "" : " in " + stop.from());
             };
+        }
+
+        /** What a step is, for example {@code take tool}. */
+        String infinitive(String component, Protocol protocol, Step.Waiting step) {
+            var label = label(component, protocol, step).substring(component.length() + 1);
+            var verb = label.indexOf(' ');
+            var infinitive = label.substring(0, verb - 1) + label.substring(verb); // takes, sends, emits, asks
+            return infinitive.replace(" and goes on", "");
         }
 
         private String bound(String component, String role) {

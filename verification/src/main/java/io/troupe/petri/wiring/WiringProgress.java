@@ -1,8 +1,5 @@
 package io.troupe.petri.wiring;
 
-import static java.util.Objects.requireNonNull;
-
-import io.troupe.common.text.Suggestions;
 import io.troupe.petri.FairRuns;
 import io.troupe.petri.Marking;
 import io.troupe.petri.Place;
@@ -15,19 +12,27 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Decides what the components of a {@link Wiring} get in the end, if the run is fair: that every request is answered,
- * that a component comes into a state again and again.
+ * Decides what can happen in a {@link Wiring} and what cannot: that components are never in some of their states at
+ * once, or can be; and what they get in the end, if the run is fair: that every request is answered, that a component
+ * comes into a state again and again.
  *
  * <p>A run is fair if a step that is possible infinitely often is taken infinitely often ({@link FairRuns}). The
- * answers need all markings and are exact; for a wiring that is too large they are {@link Unknown}.
+ * answers need all markings and are exact; for a wiring that is too large they are {@link Unknown}, unless what is asked
+ * for was met before.
  *
  * {@snippet :
  * var progress = WiringProgress.of(wiring);
+ * assertThat(progress.never(Map.of("p1", Set.of("committed"), "p2", Set.of("aborted")))).isInstanceOf(Holds.class);
+ * assertThat(progress.canReach(Map.of("p1", Set.of("committed")))).isInstanceOf(Holds.class);
  * assertThat(progress.everyRequestIsAnswered()).isInstanceOf(Holds.class);
  * assertThat(progress.alwaysAgain("robot", "driven")).isInstanceOf(Holds.class);
  * }
@@ -43,12 +48,14 @@ import java.util.stream.Stream;
 public final class WiringProgress {
     private final Wiring wiring;
     private final WiringNet net;
+    private final ReachabilityGraph graph;
     private final FairRuns runs;
 
     private WiringProgress(Wiring wiring, SearchLimits limits) {
         this.wiring = wiring;
         net = new WiringNet(wiring, new LinkedHashSet<>(wiring.components()));
-        runs = FairRuns.of(ReachabilityGraph.explore(net.net(), limits));
+        graph = ReachabilityGraph.explore(net.net(), limits);
+        runs = FairRuns.of(graph);
     }
 
     /** Explores up to {@link WiringCheck#DEFAULT_MAX_MARKINGS} markings. */
@@ -64,32 +71,46 @@ public final class WiringProgress {
     /** The answer to a question. */
     public sealed interface Answer {}
 
-    /** It is so in every fair run. */
-    public record Holds() implements Answer {}
+    /**
+     * It is so; what is asked about the end, in every fair run.
+     *
+     * @param firings of {@link #canReach} a shortest firing sequence that leads there, in the words of the declaration;
+     *     else empty
+     */
+    public record Holds(List<String> firings) implements Answer {
+        public Holds {
+            firings = List.copyOf(firings);
+        }
+    }
 
     /**
-     * In some fair run it is not so.
+     * It is not so; what is asked about the end, in some fair run.
      *
-     * @param sentence what does not happen, for example {@code robot waits for player.plan and is never answered}
+     * @param sentence what is so instead, for example {@code robot waits for player.plan and is never answered}
      * @param firings a firing sequence to where it is lost, in the words of the declaration
-     * @param forever the steps that go on for ever without it; empty in a deadlock
+     * @param forever the steps that go on for ever without it, none in a deadlock; empty if the question is not about
+     *     the end
      */
-    public record Fails(String sentence, List<String> firings, List<String> forever) implements Answer {
+    public record Fails(String sentence, List<String> firings, Optional<List<String>> forever) implements Answer {
         public Fails {
             firings = List.copyOf(firings);
-            forever = List.copyOf(forever);
+            forever = forever.map(List::copyOf);
         }
 
         /** The sentence, the steps one per line, and what goes on. */
         @Override
         public String toString() {
             var text = new StringBuilder(sentence);
-            text.append("\n  after ").append(firings.size()).append(" steps:");
+            if (!firings.isEmpty() || forever.isPresent()) {
+                text.append("\n  after ").append(firings.size()).append(" steps:");
+            }
             for (var i = 0; i < firings.size(); i++) {
                 text.append("\n    ").append(i + 1).append(". ").append(firings.get(i));
             }
-            text.append(forever.isEmpty() ? "\n  then nothing happens" : "\n  then for ever only:");
-            forever.forEach(step -> text.append("\n    ").append(step));
+            forever.ifPresent(steps -> {
+                text.append(steps.isEmpty() ? "\n  then nothing happens" : "\n  then for ever only:");
+                steps.forEach(step -> text.append("\n    ").append(step));
+            });
             return text.toString();
         }
     }
@@ -102,9 +123,72 @@ public final class WiringProgress {
      */
     public record Unknown(SearchEnd end, int markings) implements Answer {}
 
+    /**
+     * Whether it never happens that each of these components is in one of its states; a {@link Fails} is a shortest way
+     * to where they are.
+     *
+     * @param states by component; it is in a state until the step out of it is over, also while it waits for an answer
+     *     or serves a call there
+     */
+    public Answer never(Map<String, Set<String>> states) {
+        wiring.requireStates(states);
+        return reached(states)
+                .<Answer>map(state -> new Fails(sentence(state.marking(), states), way(state), Optional.empty()))
+                .orElseGet(() -> complete(new Holds(List.of())));
+    }
+
+    /**
+     * Whether it can happen that each of these components is in one of its states, as in {@link #never}; a {@link Holds}
+     * has a shortest way.
+     */
+    public Answer canReach(Map<String, Set<String>> states) {
+        wiring.requireStates(states);
+        return reached(states).<Answer>map(state -> new Holds(way(state))).orElseGet(() -> {
+            var words = new TreeMap<>(states)
+                    .entrySet().stream()
+                            .map(entry ->
+                                    entry.getKey() + " is " + String.join(" or ", new TreeSet<>(entry.getValue())))
+                            .collect(Collectors.joining(", "));
+            return complete(new Fails("never at once: " + words, List.of(), Optional.empty()));
+        });
+    }
+
+    /** The nearest marking in which each of these components is in one of its states. */
+    private Optional<ReachabilityGraph.State> reached(Map<String, Set<String>> states) {
+        var places = new ArrayList<List<Place>>();
+        states.forEach((component, some) -> places.add(net.net().places().stream()
+                .filter(place -> net.owner(place).equals(Optional.of(component)))
+                .filter(place ->
+                        net.componentState(place).in().filter(some::contains).isPresent())
+                .toList()));
+        return graph.states().stream()
+                .filter(state -> places.stream()
+                        .allMatch(some ->
+                                some.stream().anyMatch(place -> state.marking().tokens(place) > 0)))
+                .findFirst();
+    }
+
+    private String sentence(Marking marking, Map<String, Set<String>> states) {
+        return marking.marked().stream()
+                .filter(place -> net.owner(place).filter(states::containsKey).isPresent())
+                .map(place -> net.owner(place).orElseThrow() + " is "
+                        + net.componentState(place).in().orElseThrow())
+                .sorted()
+                .collect(Collectors.joining(", "));
+    }
+
+    private List<String> way(ReachabilityGraph.State state) {
+        return state.shortestTrace().stream().map(Transition::name).toList();
+    }
+
+    /** The answer from all markings. */
+    private Answer complete(Answer answer) {
+        return graph.isComplete() ? answer : new Unknown(graph.end(), graph.size());
+    }
+
     /** Whether a component that makes a call always gets its answer, its rejection, or its time-out. */
     public Answer everyRequestIsAnswered() {
-        Answer answer = new Holds();
+        Answer answer = new Holds(List.of());
         for (var call : unanswered().entrySet()) {
             Predicate<Marking> isOpen =
                     marking -> call.getValue().stream().anyMatch(place -> marking.tokens(place) > 0);
@@ -119,14 +203,19 @@ public final class WiringProgress {
 
     /** Whether a component comes into a state again and again. */
     public Answer alwaysAgain(String component, String state) {
-        var states = wiring.protocol(component).states();
-        if (!states.contains(requireNonNull(state, "state"))) {
-            throw new IllegalArgumentException("wiring " + wiring.name() + ": " + component + " has no state " + state
-                    + "; " + Suggestions.hintWithAll(state, states));
-        }
-        var place = net.net().place(WiringNet.at(component, state));
+        wiring.requireStates(Map.of(component, Set.of(state)));
+        var places = net.net().places().stream()
+                .filter(place -> switch (net.componentState(place)) {
+                    case WiringNet.ComponentState.At at ->
+                        at.component().equals(component) && at.state().equals(state);
+                    case WiringNet.ComponentState.Ended ended ->
+                        ended.component().equals(component) && ended.state().equals(state);
+                    default -> false;
+                })
+                .toList();
         return answer(
-                runs.alwaysAgain(marking -> marking.tokens(place) > 0), component + " is never " + state + " again");
+                runs.alwaysAgain(marking -> places.stream().anyMatch(place -> marking.tokens(place) > 0)),
+                component + " is never " + state + " again");
     }
 
     /** By caller and call: the places of a call that is not answered yet. */
@@ -135,7 +224,9 @@ public final class WiringProgress {
         for (var place : net.net().places()) {
             var call = switch (net.componentState(place)) {
                 case WiringNet.ComponentState.Asking(var component, var request) ->
-                    component + " waits for " + wiring.provider(component, request) + "." + request.call();
+                    component + " waits for " + wiring.target(component, request);
+                case WiringNet.ComponentState.Served(var component, var request) ->
+                    component + " waits for " + wiring.target(component, request);
                 case WiringNet.ComponentState.Unanswered(var component, var target) ->
                     component + " waits for " + target;
                 default -> "";
@@ -149,7 +240,7 @@ public final class WiringProgress {
 
     private Answer answer(FairRuns.Answer answer, String sentence) {
         return switch (answer) {
-            case FairRuns.Holds holds -> new Holds();
+            case FairRuns.Holds holds -> new Holds(List.of());
             case FairRuns.Unknown unknown -> new Unknown(unknown.end(), unknown.markings());
             case FairRuns.Fails fails -> {
                 var forever = new ArrayList<Transition>(net.net().transitions());
@@ -159,7 +250,7 @@ public final class WiringProgress {
                         Stream.concat(fails.trace().stream(), fails.way().stream())
                                 .map(Transition::name)
                                 .toList(),
-                        forever.stream().map(Transition::name).toList());
+                        Optional.of(forever.stream().map(Transition::name).toList()));
             }
         };
     }

@@ -106,6 +106,7 @@ final class WiringSearch {
             net.net().transitions().stream()
                     .filter(transition -> !loss.lost().contains(transition))
                     .forEach(transition -> stuck.removeAll(net.event(transition).who()));
+            stuck.removeAll(net.ended(loss.marking()));
             if (!stuck.isEmpty() && !found.containsKey(stuck)) {
                 found.put(stuck, explainer.explain(loss.marking(), loss.trace(), false, stuck));
             }
@@ -138,7 +139,7 @@ final class WiringSearch {
         return stuck;
     }
 
-    /** By component: the markings from which a firing sequence leads to a step of it. */
+    /** By component: the markings from which a firing sequence leads to a step of it, or to where it has ended. */
     private Map<String, boolean[]> moves() {
         var size = graph.size();
         var states = graph.states();
@@ -157,6 +158,7 @@ final class WiringSearch {
         Arrays.parallelPrefix(starts, Integer::sum);
         var sources = new int[graph.edgeCount()];
         for (var state : states) {
+            net.ended(state.marking()).forEach(ended -> requireNonNull(moves.get(ended))[state.index()] = true);
             for (var edge : state.successors()) {
                 sources[starts[edge.target().index() + 1]++] = state.index();
                 movedBy.get(edge.transition().index()).forEach(moved -> moved[state.index()] = true);

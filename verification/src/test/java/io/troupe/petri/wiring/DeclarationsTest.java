@@ -1,16 +1,20 @@
 package io.troupe.petri.wiring;
 
 import static io.troupe.petri.Nets.refusals;
+import static io.troupe.petri.wiring.Protocol.accepts;
 import static io.troupe.petri.wiring.Protocol.acquires;
 import static io.troupe.petri.wiring.Protocol.answered;
+import static io.troupe.petri.wiring.Protocol.answers;
 import static io.troupe.petri.wiring.Protocol.asks;
 import static io.troupe.petri.wiring.Protocol.cancels;
 import static io.troupe.petri.wiring.Protocol.does;
 import static io.troupe.petri.wiring.Protocol.emits;
+import static io.troupe.petri.wiring.Protocol.ends;
 import static io.troupe.petri.wiring.Protocol.finished;
 import static io.troupe.petri.wiring.Protocol.finishes;
 import static io.troupe.petri.wiring.Protocol.provides;
 import static io.troupe.petri.wiring.Protocol.receives;
+import static io.troupe.petri.wiring.Protocol.refuses;
 import static io.troupe.petri.wiring.Protocol.rejected;
 import static io.troupe.petri.wiring.Protocol.rejects;
 import static io.troupe.petri.wiring.Protocol.releases;
@@ -18,12 +22,15 @@ import static io.troupe.petri.wiring.Protocol.requests;
 import static io.troupe.petri.wiring.Protocol.sends;
 import static io.troupe.petri.wiring.Protocol.stops;
 import static io.troupe.petri.wiring.Protocol.streams;
+import static io.troupe.petri.wiring.Protocol.tries;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.petri.wiring.WiringResult.Deadlock;
 import io.troupe.petri.wiring.WiringResult.Proved;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** For each kind of declaration a wiring that deadlocks, with its story, and the change that prevents it. */
 class DeclarationsTest {
@@ -65,6 +72,149 @@ class DeclarationsTest {
                         "server (busy) waits to be called: done by worker, which no component will do; worker waits for"
                                 + " server.status, which no component will answer");
         requireProved(server(true));
+    }
+
+    // ---- a call that is answered later
+
+    /** Two that help each other: {@code b} needs the state of {@code a} to help it. */
+    static WiringBuilder help(boolean answersFirst) {
+        var a = Protocol.of("a")
+                .state("idle", does("work").then("helping"))
+                .state("helping", requests("b.help").then("helped"))
+                .state("helped", provides("state").then("idle"));
+        var b = Protocol.of("b");
+        if (answersFirst) {
+            b.state("idle", provides("help").then("asking"))
+                    .state("asking", requests("a.state").then("idle"));
+        } else {
+            b.state("idle", accepts("help").then("asking"))
+                    .state("asking", requests("a.state").then("knowing"))
+                    .state("knowing", answers("help").then("idle"));
+        }
+        return Wiring.of("help").component(a.build()).component(b.build());
+    }
+
+    @Test
+    void call_thatIsAnsweredAfterACallOfItsOwn_deadlocks_oneThatIsAnsweredAtOnceDoesNot() {
+        assertThat(story(help(false))).isEqualTo("a waits for b.help; b waits for a.state: all ask and none answers");
+        requireProved(help(true));
+    }
+
+    /** Each asks the next one while it serves a call: in a ring, or from a first one to a last one. */
+    private static WiringBuilder nested(int nodes, boolean isRing) {
+        var first = Protocol.of("node")
+                .state("idle", does("want something").then("asking"))
+                .state("asking", requests("next.help").then("idle"))
+                .build();
+        var node = Protocol.of("node");
+        if (isRing) {
+            node.state(
+                            "idle",
+                            does("want something").then("asking"),
+                            accepts("help").then("asked"))
+                    .state("asking", requests("next.help").then("idle"));
+        } else {
+            node.state("idle", accepts("help").then("asked"));
+        }
+        node.state("asked", requests("next.help").then("helped"))
+                .state("helped", answers("help").then("idle"));
+        var last =
+                Protocol.of("node").state("idle", provides("help").then("idle")).build();
+        return nodes(nodes, isRing, first, node.build(), last);
+    }
+
+    /** The same by messages: a request is one, and so is its answer. */
+    private static WiringBuilder nestedByMessages(int nodes, boolean isRing) {
+        var first = Protocol.of("node")
+                .state("idle", does("want something").then("sending"))
+                .state("sending", sends("next.help").then("asking"))
+                .state("asking", receives("answer").then("idle"))
+                .build();
+        var node = Protocol.of("node");
+        if (isRing) {
+            node.state(
+                            "idle",
+                            does("want something").then("sending"),
+                            receives("help").then("asked"))
+                    .state("sending", sends("next.help").then("asking"))
+                    .state("asking", receives("answer").then("idle"));
+        } else {
+            node.state("idle", receives("help").then("asked"));
+        }
+        node.state("asked", sends("next.help").then("waiting"))
+                .state("waiting", receives("answer").then("helped"))
+                .state("helped", sends("before.answer").then("idle"));
+        var last = Protocol.of("node")
+                .state("idle", receives("help").then("helped"))
+                .state("helped", sends("before.answer").then("idle"))
+                .build();
+        var wiring = nodes(nodes, isRing, first, node.build(), last);
+        for (var i = 1; i <= nodes; i++) {
+            wiring.mailbox("node" + i, 2, Overflow.BLOCK);
+            if (isRing || i > 1) {
+                wiring.bind("node" + i, "before", "node" + (i == 1 ? nodes : i - 1));
+            }
+        }
+        return wiring;
+    }
+
+    private static WiringBuilder nodes(int nodes, boolean isRing, Protocol first, Protocol node, Protocol last) {
+        var wiring = Wiring.of(nodes + " nodes");
+        for (var i = 1; i <= nodes; i++) {
+            wiring.component("node" + i, isRing ? node : i == 1 ? first : i == nodes ? last : node);
+            if (isRing || i < nodes) {
+                wiring.bind("node" + i, "next", "node" + (i % nodes + 1));
+            }
+        }
+        return wiring;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2, true", "3, true", "4, true", "2, false", "3, false"})
+    void nestedCalls_inARing_deadlock_asTheirMessagesDo(int nodes, boolean isRing) {
+        var byCalls = WiringCheck.check(nested(nodes, isRing).build());
+        var byMessages = WiringCheck.check(nestedByMessages(nodes, isRing).build());
+        assertThat(byCalls).isInstanceOf(isRing ? Deadlock.class : Proved.class).hasSameClassAs(byMessages);
+        if (byCalls instanceof Deadlock deadlock) {
+            assertThat(deadlock.counterexample().circle()).hasSize(nodes);
+            assertThat(deadlock.counterexample().sentence()).endsWith("all ask and none answers");
+        }
+    }
+
+    /** A call that is accepted and refused, by a component that others may ask meanwhile. */
+    static WiringBuilder desk(boolean takesOthers) {
+        var desk = Protocol.of("desk")
+                .state(
+                        "free",
+                        accepts("order").then("looking"),
+                        provides("hours").then("free"));
+        var looks = does("look").then("decided");
+        if (takesOthers) {
+            desk.state(
+                            "looking",
+                            looks,
+                            accepts("order").then("two"),
+                            provides("hours").then("looking"))
+                    .state("two", answers("order").then("looking"));
+        } else {
+            desk.state("looking", looks);
+        }
+        desk.state("decided", answers("order").then("free"), refuses("order").then("free"));
+        var client = Protocol.of("client")
+                .state(
+                        "idle",
+                        requests("desk.order")
+                                .then("idle")
+                                .orRejected("refused")
+                                .orTimeout("idle"))
+                .state("refused", requests("desk.hours").then("idle"));
+        return Wiring.of("desk").components("client", 2, client.build()).component(desk.build());
+    }
+
+    @Test
+    void calls_thatAreAccepted_areRefused_givenUp_andAnsweredInAnyOrder() {
+        requireProved(desk(false));
+        requireProved(desk(true));
     }
 
     // ---- a call whose caller goes on
@@ -298,6 +448,240 @@ class DeclarationsTest {
         requireProved(hands("arm", "camera"));
     }
 
+    // ---- steps that wait: a component that has chosen one stays with it, unless it tries
+
+    /** Each of two workers holds one of two tools, and may want the other one, or put its own back. */
+    static WiringBuilder tools(boolean tries) {
+        var more = acquires("tool");
+        var worker = Protocol.of("worker")
+                .state("idle", acquires("tool").then("one"))
+                .state(
+                        "one",
+                        (tries ? tries(more) : more).then("two"),
+                        releases("tool").then("idle"))
+                .state("two", releases("tool").then("one"))
+                .build();
+        return Wiring.of("tools").components("worker", 2, worker).resource("tool", 2);
+    }
+
+    @Test
+    void resource_thatIsChosenBesideAnotherStep_isWaitedFor_unlessItIsTried() {
+        assertThat(story(tools(false)))
+                .isEqualTo("worker1 waits for tool, which worker2 holds; worker2 waits for tool, which worker1 holds");
+        assertThat(((Deadlock) WiringCheck.check(tools(false).build()))
+                        .counterexample()
+                        .firings())
+                .containsExactly(
+                        "worker1 takes tool (in idle)",
+                        "worker1 decides to take tool (in one)",
+                        "worker2 takes tool (in idle)",
+                        "worker2 decides to take tool (in one)");
+        requireProved(tools(true));
+    }
+
+    static WiringBuilder gossip(boolean tries) {
+        var tells = sends("other.news");
+        var node = Protocol.of("node")
+                .state(
+                        "run",
+                        (tries ? tries(tells) : tells).then("run"),
+                        receives("news").then("run"))
+                .build();
+        return Wiring.of("gossip")
+                .components("node", 2, node)
+                .bindEach("node", "other", i -> "node" + (3 - i))
+                .mailbox("node1", 1, Overflow.BLOCK)
+                .mailbox("node2", 1, Overflow.BLOCK);
+    }
+
+    @Test
+    void message_thatIsChosenBesideAnotherStep_waitsForRoom_unlessItIsTried() {
+        assertThat(story(gossip(false)))
+                .isEqualTo("node1 waits for room to send news to node2, which has not taken [news]; node2 waits for"
+                        + " room to send news to node1, which has not taken [news]");
+        requireProved(gossip(true));
+    }
+
+    static WiringBuilder live(boolean tries) {
+        var shows = emits("frames");
+        var camera = Protocol.of("camera")
+                .state("off", streams("frames").then("on"))
+                .state(
+                        "on",
+                        (tries ? tries(shows) : shows).then("on"),
+                        provides("adjust").then("on"));
+        var viewer = Protocol.of("viewer")
+                .state("dark", asks("camera.frames").then("watching"))
+                .state("watching", answered("camera.frames").then("adjusting"))
+                .state("adjusting", requests("camera.adjust").then("watching"));
+        return Wiring.of("live").component(camera.build()).component(viewer.build());
+    }
+
+    @Test
+    void item_thatIsChosenBesideAnotherStep_waitsForTheWindow_unlessItIsTried() {
+        assertThat(story(live(false)))
+                .isEqualTo("camera waits for room to send frames to viewer, which has not taken [frames]; viewer waits"
+                        + " for camera.adjust, which no component will answer");
+        requireProved(live(true));
+    }
+
+    /** The second question waits for the answer to the first, which only another state takes. */
+    static WiringBuilder again(boolean tries) {
+        var asksAgain = asks("planner.plan");
+        var client = Protocol.of("client")
+                .state("idle", asks("planner.plan").then("waiting"))
+                .state(
+                        "waiting",
+                        answered("planner.plan").then("idle"),
+                        (tries ? tries(asksAgain) : asksAgain).then("waiting"));
+        var planner = Protocol.of("planner").state("ready", provides("plan").then("ready"));
+        return Wiring.of("again").component(client.build()).component(planner.build());
+    }
+
+    @Test
+    void question_thatIsAskedAgainBesideAnotherStep_waitsForItsAnswer_unlessItIsTried() {
+        assertThat(story(again(false)))
+                .isEqualTo("client waits for planner.plan, which no component will answer; planner (ready) waits to be"
+                        + " called: plan by client, which no component will do");
+        requireProved(again(true));
+    }
+
+    /** Nothing is added where a step cannot have to wait, or is the only one. */
+    @Test
+    void choice_isNoStepOfItsOwn_whereNothingHasToBeWaitedFor() {
+        assertThat(gossip(false).build().net().transitions()).hasSize(6);
+        var node = Protocol.of("node")
+                .state("run", sends("other.news").then("run"), receives("news").then("run"))
+                .build();
+        var dropping = Wiring.of("gossip")
+                .components("node", 2, node)
+                .bindEach("node", "other", i -> "node" + (3 - i))
+                .mailbox("node1", 1, Overflow.DROP_OLDEST)
+                .mailbox("node2", 1, Overflow.DROP_OLDEST)
+                .build();
+        assertThat(dropping.net().transitions())
+                .hasSize(6)
+                .noneMatch(transition -> transition.name().contains("decides"));
+        assertThat(pictures(false).build().net().transitions())
+                .as("a question that is asked once")
+                .noneMatch(transition -> transition.name().contains("decides"));
+    }
+
+    // ---- components that end
+
+    /** A client that makes two calls and ends; the server calls a store, which only it calls. */
+    private static WiringBuilder session(boolean looksAfter) {
+        var client = Protocol.of("client")
+                .state("new", requests("server.login").then("known"))
+                .state("known", requests("server.logout").then("over"))
+                .state("over", ends());
+        var server = Protocol.of("server")
+                .state("idle", provides("login").then("open"))
+                .state("open", accepts("logout").then("saving"));
+        if (looksAfter) {
+            server.state("saving", requests("store.save").then("saved"));
+        } else {
+            server.state("saving", requests("store.save").then("asking"))
+                    .state("asking", requests("client.why").then("saved"));
+        }
+        server.state("saved", answers("logout").then("idle"));
+        if (!looksAfter) {
+            client = Protocol.of("client")
+                    .state("new", requests("server.login").then("known"))
+                    .state("known", requests("server.logout").then("why"))
+                    .state("why", provides("why").then("over"))
+                    .state("over", ends());
+        }
+        var store = Protocol.of("store").state("ready", provides("save").then("ready"));
+        return Wiring.of("session")
+                .component(client.build())
+                .component(server.build())
+                .component(store.build());
+    }
+
+    @Test
+    void componentsThatEnd_andThoseThatOnlyTheyCall_areNoBlock() {
+        requireProved(session(true));
+        assertThat(story(session(false)))
+                .isEqualTo("client waits for server.logout; server waits for client.why: all ask and none answers");
+    }
+
+    /** Servers that call each other are left together; with another client, or one that never ends, they go on. */
+    @Test
+    void serversThatCallEachOther_areLeftWhenTheirClientsHaveEnded() {
+        var client = Protocol.of("client")
+                .state("new", requests("a.get").then("over"))
+                .state("over", ends())
+                .build();
+        var busy = Protocol.of("busy").state("on", requests("b.put").then("on")).build();
+        var a = Protocol.of("a")
+                .state("idle", accepts("get").then("asked"), receives("full").then("idle"))
+                .state("asked", requests("b.put").then("put"))
+                .state("put", answers("get").then("idle"))
+                .build();
+        var b = Protocol.of("b")
+                .state("idle", provides("put").then("telling"))
+                .state("telling", sends("a.full").then("idle"))
+                .build();
+        requireProved(Wiring.of("servers")
+                .components("client", 2, client)
+                .component(a)
+                .component(b)
+                .mailbox("a", 1, Overflow.DROP_OLDEST));
+        var closed =
+                Protocol.of("b").state("idle", provides("put").then("idle")).build();
+        var alone = Protocol.of("a")
+                .state("idle", accepts("get").then("asked"))
+                .state("asked", requests("b.put").then("put"))
+                .state("put", answers("get").then("idle"))
+                .build();
+        requireProved(Wiring.of("closed")
+                .components("client", 2, client)
+                .component(alone)
+                .component(closed));
+        requireProved(Wiring.of("busy")
+                .component(client)
+                .component(busy)
+                .component(alone)
+                .component(closed));
+    }
+
+    /**
+     * One that waits for another that has ended waits for ever; so does one that two others have left in the middle.
+     */
+    @Test
+    void componentThatWaitsForOneThatHasEnded_isADeadlock() {
+        var early = Protocol.of("worker")
+                .state("idle", provides("work").then("tired"))
+                .state("tired", does("go home").then("home"), provides("work").then("tired"))
+                .state("home", ends());
+        var boss = Protocol.of("boss")
+                .state("new", requests("worker.work").then("more"))
+                .state("more", requests("worker.work").then("over"))
+                .state("over", ends());
+        assertThat(story(Wiring.of("work").component(early.build()).component(boss.build())))
+                .isEqualTo("boss waits for worker.work, which no component will answer");
+        var half = Protocol.of("server")
+                .state("free", provides("begin").then("busy"))
+                .state("busy", does("wait").then("stuck"))
+                .state("stuck", acquires("lock").then("held"))
+                .state("held", releases("lock").then("free"));
+        var keeper = Protocol.of("keeper")
+                .state("a", acquires("lock").then("b"))
+                .state("b", provides("ask").then("c"))
+                .state("c", releases("lock").then("a"));
+        var client = Protocol.of("client")
+                .state("new", requests("server.begin").then("ask"))
+                .state("ask", requests("keeper.ask").then("over"))
+                .state("over", ends());
+        assertThat(story(Wiring.of("half")
+                        .component(client.build())
+                        .component(half.build())
+                        .component(keeper.build())
+                        .resource("lock", 1)))
+                .contains("server waits for lock, which keeper holds");
+    }
+
     // ---- equal components
 
     static WiringBuilder table(int seats, boolean isLastLeftHanded) {
@@ -425,22 +809,44 @@ class DeclarationsTest {
                         p("a", emits("news").then("a"))::build,
                         p("a", streams("x").then("b")).state("b", provides("x").then("a"))::build,
                         p("a", does("x").then("a")).failsTo("down")::build,
+                        () -> p("a", does("x").then("b"), ends()),
+                        p("a", acquires("arm").then("b")).state("b", ends())::build,
+                        p("a", accepts("x").then("b"))
+                                .state("b", does("y").then("c"), answers("x").then("a"))
+                                .state("c", ends())::build,
+                        p("a", answers("x").then("a"))::build,
+                        p("a", accepts("x").then("b")).state("b", does("y").then("b"))::build,
+                        p("a", accepts("x").then("b"))
+                                .state("b", answers("x").then("a"), does("y").then("a"))::build,
+                        p("a", accepts("x").then("b")).state("b", answers("x").then("a"), stops())::build,
                         () -> p("a", does("x").then("a")).failsTo("a").failsTo("a"),
                         () -> p("a", sends("note").then("a"))))
                 .isEqualTo("""
-                protocol p: state a is reached holding [arm] and holding []; expected the same resources on every way \
-                there
+                protocol p: state a is reached holding [arm] and holding []; expected the same on every way there
                 protocol p: state a releases arm, but it holds [] there; expected a resource that it acquired before
                 protocol p: state b stops holding [arm]; expected releases before the stop
                 protocol p: state a takes or cancels an answer of q.call, which is never asked; there are none
                 protocol p: state a emits or finishes news, which is no stream; expected streams("news") in a state
                 protocol p: call x is answered once in state b and is a stream elsewhere; expected one of the two
                 protocol p: a failure leads to state down, which is not declared; known: a
+                protocol p: state a ends and has other ways out; expected ends() alone
+                protocol p: state b ends holding [arm]; expected releases before the end
+                protocol p: state c ends owing the answers of [x]; expected answers before the end
+                protocol p: state a answers x, but it owes the answers of [] there; expected accepts("x") before
+                protocol p: state a accepts x, which no state answers or refuses; expected answers("x") in a later state
+                protocol p: state a is reached owing the answers of [x] and owing the answers of []; expected the same \
+                on every way there
+                protocol p: state b stops owing the answers of [x]; expected answers before the stop
                 protocol p: failsTo is declared twice, expected one state
                 protocol p: state a sends note, expected component.message""");
         assertThatThrownBy(() -> does("x").then("a").orTimeout("b"))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("\"does x\" never times out; expected a step of [requests]");
+        assertThatThrownBy(() -> tries(requests("q.call")))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage(
+                        "\"requests q.call\" never waits and can be tried; expected a step of [acquires, asks, emits,"
+                                + " sends]");
     }
 
     @Test
@@ -463,6 +869,17 @@ class DeclarationsTest {
                         Wiring.of("w").component(taker).resource("arm", 1).mailbox("p", 1, Overflow.BLOCK)::build,
                         Wiring.of("w").component(stream).component(caller)::build,
                         Wiring.of("w").component(stream).open("s.x").window("s.y", 2)::build,
+                        Wiring.of("w")
+                                .component(p(
+                                                "a",
+                                                asks("q.x").then("over"),
+                                                does("y").then("b"))
+                                        .state("b", answered("q.x").then("a"))
+                                        .state("over", ends())
+                                        .build())
+                                .component(Protocol.of("q")
+                                        .state("a", provides("x").then("a"))
+                                        .build())::build,
                         () -> Wiring.of("w").resource("arm", 0),
                         () -> Wiring.of("w").bindEach("phil", "left", i -> "fork" + i)))
                 .isEqualTo("""
@@ -475,6 +892,8 @@ class DeclarationsTest {
                 wiring w: p has a mailbox, but receives nothing; expected a state that receives a message
                 wiring w: p asks s.x in state a, but no state takes what may come back; expected finished("s.x")
                 wiring w: window of s.y is not a stream; did you mean s.x? known: s.x
+                wiring w: p ends in state over, where its questions [q.x] may be open; expected to take what comes back, \
+                or cancels(..), before
                 wiring w: resource arm has 0 units, expected 1 or more
                 wiring w: there is no component phil1; expected components("phil", ..) before""");
     }

@@ -179,6 +179,53 @@ class MonitoredStepsTest {
                 .isEqualTo("client's question planner.plan is not taken, and nothing happens any more");
     }
 
+    // ---- calls that are answered later
+
+    @Test
+    void calls_thatAreAnsweredAfterOthers() {
+        var asks = e(Kind.ASKED, "a", "b.help");
+        var takes = e(Kind.TAKEN, "a", "b.help");
+        var nested = e(Kind.ASKED, "b", "a.state");
+        assertThat(problem(DeclarationsTest.help(false), List.of(asks, takes, nested)))
+                .isEqualTo("after this nothing is possible any more: a waits for the answer of b.help, b waits for"
+                        + " a.state, which is not accepted yet");
+        assertThat(problem(DeclarationsTest.help(true), List.of(asks, takes, nested)))
+                .as("declared as answered at once")
+                .isEqualTo("b asks a.state is not allowed: b answers help to a, where it may answer help");
+        var desk = DeclarationsTest.desk(true);
+        var one = e(Kind.ASKED, "client1", "desk.order");
+        var two = e(Kind.ASKED, "client2", "desk.order");
+        var takesOne = e(Kind.TAKEN, "client1", "desk.order");
+        var takesTwo = e(Kind.TAKEN, "client2", "desk.order");
+        var answersOne = e(Kind.ANSWERED, "client1", "desk.order");
+        var refusesTwo = e(Kind.REJECTED, "client2", "desk.order");
+        var all = with(
+                List.of(one, two, takesOne, takesTwo, answersOne, refusesTwo),
+                calls("client2", "desk.hours").toArray(ProtocolEvent[]::new));
+        requireAllowed(desk, all);
+        assertThat(unused(desk, all))
+                .containsExactly(
+                        "client1: \"refused\" requests desk.hours \"idle\"",
+                        "desk: \"looking\" provides hours \"looking\"",
+                        "desk: \"decided\" answers order \"free\"");
+        assertThat(problem(DeclarationsTest.desk(false), List.of(one, two, takesOne, takesTwo)))
+                .as("a second one is not accepted")
+                .contains("desk is in \"decided\" or is in \"looking\"");
+        assertThat(problem(desk, List.of(one, takesOne, answersOne, answersOne)))
+                .as("answered twice")
+                .isNotEmpty();
+        var gives = e(Kind.TIMED_OUT, "client1", "desk.order");
+        requireAllowed(desk, List.of(one, takesOne, gives, answersOne));
+        requireAllowed(desk, List.of(one, takesOne, gives, one, takesOne, answersOne));
+        assertThat(problem(desk, List.of(one, gives, takesOne)))
+                .as("accepted after it was withdrawn")
+                .isNotEmpty();
+        var monitor = follow(desk, List.of(one, takesOne));
+        monitor.idle();
+        assertThat(monitor.violation().orElseThrow().problem())
+                .isEqualTo("client1 waits for the answer of desk.order, and nothing happens any more");
+    }
+
     // ---- callbacks as streams
 
     @Test
@@ -230,6 +277,70 @@ class MonitoredStepsTest {
                         List.of(takesArm, e(Kind.ACQUIRED, "other", "camera"))))
                 .as("a deadlock")
                 .startsWith("after this nothing is possible any more");
+    }
+
+    // ---- components that wait
+
+    /** The decision is no event; a program that reports it is found at once, and without it is not known to wait. */
+    @Test
+    void component_thatWaitsForAResource_isSeenWhenNothingHappensAnyMore() {
+        var tools = DeclarationsTest.tools(false);
+        var one = e(Kind.ACQUIRED, "worker1", "tool");
+        var two = e(Kind.ACQUIRED, "worker2", "tool");
+        var waits = e(Kind.WAITS, "worker1", "tool");
+        requireAllowed(tools, List.of(one, two)); // each may put its tool back
+        var monitor = follow(tools, List.of(one, two, waits));
+        monitor.idle();
+        assertThat(monitor.violation().orElseThrow().problem())
+                .isEqualTo("worker1 waits for tool, which worker1 and worker2 hold, and nothing happens any more");
+        assertThat(problem(tools, List.of(one, two, waits, e(Kind.WAITS, "worker2", "tool"))))
+                .isEqualTo("after this nothing is possible any more: worker1 waits for tool, which worker1 and worker2"
+                        + " hold, worker2 waits for tool, which worker1 and worker2 hold");
+        assertThat(problem(tools, List.of(one, waits, e(Kind.RELEASED, "worker1", "tool"))))
+                .as("something else after the decision")
+                .contains("worker1 waits for tool, which worker1 holds, where it may take tool");
+        // one that can do nothing else waits without a report, and may report it
+        var hands = DeclarationsTest.hands("arm", "camera");
+        for (var more : List.of(List.<ProtocolEvent>of(), List.of(e(Kind.WAITS, "other", "arm")))) {
+            var idle =
+                    follow(hands, with(List.of(e(Kind.ACQUIRED, "robot", "arm")), more.toArray(ProtocolEvent[]::new)));
+            idle.idle();
+            assertThat(idle.violation().orElseThrow().problem())
+                    .isEqualTo("other waits for arm, which robot holds, and nothing happens any more");
+        }
+    }
+
+    @Test
+    void component_thatWaitsForAMailboxAWindowOrAnAnswer_isSeenWhenNothingHappensAnyMore() {
+        assertThat(idle(DeclarationsTest.mail(2, Overflow.BLOCK), List.of(NOTE_1, NOTE_1, NOTE_2, READ_1)))
+                .as("a mailbox with room")
+                .isEqualTo("node2's mailbox [note, note], and nothing happens any more");
+        assertThat(idle(
+                        DeclarationsTest.gossip(false),
+                        List.of(e(Kind.SENT, "node1", "node2.news"), e(Kind.WAITS, "node1", "node2.news"))))
+                .isEqualTo("node1 waits for room to send news to node2, whose mailbox holds [news], and nothing happens"
+                        + " any more");
+        var opens = List.of(e(Kind.ASKED, "viewer", "camera.frames"), e(Kind.TAKEN, "viewer", "camera.frames"));
+        var emits = e(Kind.EMITTED, "camera", "frames");
+        assertThat(idle(DeclarationsTest.frames(1), with(opens, emits)))
+                .isEqualTo("camera waits for room to emit frames, and nothing happens any more");
+        assertThat(idle(DeclarationsTest.live(false), with(opens, emits, e(Kind.WAITS, "camera", "frames"))))
+                .isEqualTo("camera waits for room to emit frames, and nothing happens any more");
+        assertThat(idle(
+                        DeclarationsTest.again(false),
+                        List.of(
+                                e(Kind.ASKED, "client", "planner.plan"),
+                                e(Kind.TAKEN, "client", "planner.plan"),
+                                e(Kind.WAITS, "client", "planner.plan"))))
+                .isEqualTo("client waits to ask planner.plan again, since its question is still open, and nothing"
+                        + " happens any more");
+    }
+
+    private static String idle(WiringBuilder wiring, List<ProtocolEvent> events) {
+        var monitor = follow(wiring, events);
+        assertThat(monitor.violation()).isEmpty();
+        monitor.idle();
+        return monitor.violation().orElseThrow().problem();
     }
 
     // ---- failures and restarts

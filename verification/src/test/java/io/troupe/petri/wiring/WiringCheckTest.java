@@ -385,7 +385,7 @@ class WiringCheckTest {
                 protocol p: a step of state driving leads to state drivng, which is not declared; did you mean \
                 driving? known: driving
                 protocol p: there are no states; expected 1 or more
-                protocol p: nothing leads out of state a; expected a step or a stop
+                protocol p: nothing leads out of state a; expected a step, a stop or ends()
                 protocol p: state a is declared twice
                 protocol p: state a does x twice; expected different names for a choice
                 protocol p: state a is the first one and stops; expected a stop in a later state
