@@ -12,8 +12,8 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * Calls that a component accepts in one state and answers in a later one. Which answers it owes depends on its state; who
- * waits for them is a place for each caller. If several wait for the same, any of them is answered.
+ * Calls that a component accepts in one state and answers in a later one. Which answers it owes depends on its state;
+ * who waits for them is a place for each caller. If several wait for the same, any of them is answered.
  */
 final class AcceptedCalls {
     /**

@@ -101,7 +101,7 @@ final class ActorWords {
 
     private static Optional<Word> needed(Branch.Kind kind) {
         return switch (kind) {
-            case PROVIDES, REJECTS -> Optional.of(Word.REQUEST);
+            case PROVIDES, ACCEPTS, ANSWERS, REFUSES, REJECTS -> Optional.of(Word.REQUEST);
             case STREAMS, EMITS, FINISHES -> Optional.of(Word.STREAM);
             case RECEIVES -> Optional.of(Word.MESSAGE);
             default -> Optional.empty();

@@ -114,7 +114,7 @@ public final class Branch {
     static Branch of(String verb, String what, String to) {
         for (var kind : Kind.values()) {
             if (kind.verb.equals(verb)) {
-                return new Branch(kind, what, to);
+                return new Builder(kind, what).then(to);
             }
         }
         throw new IllegalArgumentException("there is no step " + verb);

@@ -17,9 +17,9 @@ import java.util.TreeSet;
  * Components that end, and those that are left because all that ever call them have ended. Neither waits for anything.
  *
  * <p>Each gets a token when it has ended. Components that call each other, and otherwise only such as have ended, are
- * left together, where each waits for a call or message and has none; so no token comes too early. When all have one, a
- * transition that changes nothing may fire: such a marking is not dead. If nothing else can happen and some have none,
- * it is.
+ * left together, where each waits for a call or message and has none; so no token comes too early. One that is left
+ * does not fail any more. When all have one, a transition that changes nothing may fire: such a marking is not dead. If
+ * nothing else can happen and some have none, it is.
  *
  * <p>A wiring in which no component ends has no such places and transitions.
  */

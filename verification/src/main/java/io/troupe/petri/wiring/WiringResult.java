@@ -15,9 +15,9 @@ public sealed interface WiringResult {
     List<PairResult> pairs();
 
     /**
-     * No reachable marking is dead, and from each of them every component can still go on, or has ended. Fairness is not proved: a
-     * component that can always go on may still be passed over for ever. The proof is from all markings, or from those
-     * of the {@link #reduced} search.
+     * No reachable marking is dead, and from each of them every component can still go on, or has ended. Fairness is
+     * not proved: a component that can always go on may still be passed over for ever. The proof is from all markings,
+     * or from those of the {@link #reduced} search.
      */
     record Proved(Figures figures, ReducedFigures reduced, List<PairResult> pairs) implements WiringResult {
         public Proved {

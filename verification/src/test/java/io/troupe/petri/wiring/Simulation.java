@@ -40,6 +40,9 @@ final class Simulation {
         /** Serves a call of {@code caller}, who has made a request, has asked a question, or has given up. */
         record Serving(Step.Provides offer, String caller, For what, boolean isDone) implements Status {}
 
+        /** Is left by all that call it, and does not fail any more. */
+        record Left(String state) implements Status {}
+
         /** Has failed and rejects these accepted calls, one by one. */
         record Owing(List<String> calls) implements Status {}
 
@@ -133,6 +136,7 @@ final class Simulation {
         while (!ahead.isEmpty() && seen.size() <= most) {
             var world = ahead.remove();
             var moves = new Interpreter(wiring, mayBeOpen, world).moves();
+            finished(world).forEach(component -> left(world, component).ifPresent(moves::add));
             worlds.put(world, moves);
             moves.stream().map(Move::next).filter(seen::add).forEach(ahead::add);
         }
@@ -201,6 +205,7 @@ final class Simulation {
             case Status.Served(var request) -> Optional.of(request.from());
             case Status.Accepted(var request) -> Optional.of(request.from());
             case Status.Serving serving -> Optional.of(serving.offer().from());
+            case Status.Left(var state) -> Optional.of(state);
             case Status.Owing owing -> Optional.empty();
             case Status.Closing closing -> Optional.empty();
         };
@@ -226,8 +231,9 @@ final class Simulation {
             return done;
         }
         for (var component : wiring.components()) {
-            if (world.at().get(component) instanceof Status.In(var state)
-                    && wiring.protocol(component).out(state).get(0) instanceof Step.Ends) {
+            if (world.at().get(component) instanceof Status.Left
+                    || world.at().get(component) instanceof Status.In(var state)
+                            && wiring.protocol(component).out(state).get(0) instanceof Step.Ends) {
                 done.add(component);
             }
         }
@@ -248,6 +254,21 @@ final class Simulation {
             }
         }
         return done;
+    }
+
+    /** A component that has finished and might fail may also be left, with those that it calls and that call it. */
+    private Optional<Move> left(World world, String component) {
+        if (!(world.at().get(component) instanceof Status.In(var state))
+                || !wiring.protocol(component).failsIn(state)) {
+            return Optional.empty();
+        }
+        var next = world.copy();
+        for (var each : circle(component)) {
+            if (next.at().get(each) instanceof Status.In(var here)) {
+                next.at().put(each, new Status.Left(here));
+            }
+        }
+        return Optional.of(new Move(null, true, circle(component), next));
     }
 
     private boolean calls(String caller, String provider) {
@@ -374,6 +395,9 @@ final class Simulation {
     boolean isUnderWay(World world) {
         for (var entry : world.at().entrySet()) {
             var component = entry.getKey();
+            if (entry.getValue() instanceof Status.Left) {
+                continue;
+            }
             if (!(entry.getValue() instanceof Status.In(var state))) {
                 return true;
             }
@@ -510,6 +534,7 @@ final class Simulation {
                     failing(me, request.from(), world -> world.gone().merge(key, 1, Integer::sum));
                 }
                 case Status.Serving serving -> serving(me, serving);
+                case Status.Left left -> {}
                 case Status.Owing(var calls) -> owing(me, calls);
                 case Status.Closing(var number) -> close(me, number);
             }
