@@ -122,7 +122,9 @@ final class Endings {
             return false;
         }
         for (var way : ways) {
-            end("nobody calls " + way + " any more", way, callers);
+            var words = new ArrayList<String>();
+            way.forEach((component, state) -> words.add(component + " in " + state));
+            end("nobody calls " + String.join(" and ", words) + " any more", way, callers);
         }
         ended.addAll(group);
         return true;

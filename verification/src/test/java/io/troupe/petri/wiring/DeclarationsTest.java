@@ -570,7 +570,7 @@ class DeclarationsTest {
     // ---- components that end
 
     /** A client that makes two calls and ends; the server calls a store, which only it calls. */
-    private static WiringBuilder session(boolean looksAfter) {
+    static WiringBuilder session(boolean looksAfter) {
         var client = Protocol.of("client")
                 .state("new", requests("server.login").then("known"))
                 .state("known", requests("server.logout").then("over"))

@@ -343,6 +343,26 @@ class MonitoredStepsTest {
         return monitor.violation().orElseThrow().problem();
     }
 
+    // ---- components that end
+
+    @Test
+    void componentThatEnds_andItsServers_areIdle_andItDoesNothingMore() {
+        var session = DeclarationsTest.session(true);
+        var logsIn = calls("client", "server.login");
+        var saves = calls("server", "store.save");
+        var all = new ArrayList<>(logsIn);
+        all.add(e(Kind.ASKED, "client", "server.logout"));
+        all.add(e(Kind.TAKEN, "client", "server.logout"));
+        all.addAll(saves);
+        all.add(e(Kind.ANSWERED, "client", "server.logout"));
+        requireAllowed(session, all);
+        assertThat(unused(session, all)).isEmpty();
+        assertThat(follow(session, all).describe("client")).isEqualTo("client has ended in \"over\" or is in \"over\"");
+        assertThat(problem(session, with(all, e(Kind.ASKED, "client", "server.login"))))
+                .as("something after the end")
+                .contains("where it may do nothing");
+    }
+
     // ---- failures and restarts
 
     @Test

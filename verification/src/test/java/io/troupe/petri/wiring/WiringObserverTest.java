@@ -1,6 +1,8 @@
 package io.troupe.petri.wiring;
 
+import static io.troupe.petri.wiring.Protocol.accepts;
 import static io.troupe.petri.wiring.Protocol.answered;
+import static io.troupe.petri.wiring.Protocol.answers;
 import static io.troupe.petri.wiring.Protocol.asks;
 import static io.troupe.petri.wiring.Protocol.cancels;
 import static io.troupe.petri.wiring.Protocol.provides;
@@ -84,6 +86,55 @@ class WiringObserverTest {
         assertThat(run.events())
                 .containsExactly(
                         "client asks server.get", "server takes get from client", "server answers get to client");
+    }
+
+    interface Store {
+        Promise<Integer> load();
+    }
+
+    /** A method that calls another actor before it answers: what it {@code provides} would be answered first. */
+    @Test
+    void methodThatCallsAnother_beforeItAnswers_acceptsTheCall() {
+        var later = Protocol.of("server", Server.class)
+                .state("ready", accepts("get").then("loading"))
+                .state("loading", requests("store.load").then("loaded"))
+                .state("loaded", answers("get").then("ready"))
+                .build();
+        nested(later).check();
+        var atOnce = Protocol.of("server", Server.class)
+                .state("ready", provides("get").then("loading"))
+                .state("loading", requests("store.load").then("ready"))
+                .build();
+        assertThat(nested(atOnce).violation().orElseThrow().problem())
+                .isEqualTo(
+                        "server asks store.load is not allowed: server answers get to client, where it may answer get");
+    }
+
+    private static WiringMonitor nested(Protocol server) {
+        var monitor = WiringMonitor.of(Wiring.of("nested")
+                .component(Protocol.of("client")
+                        .state("idle", requests("server.get").then("idle"))
+                        .build())
+                .component(server)
+                .component(Protocol.of("store", Store.class)
+                        .state("ready", provides("load").then("ready"))
+                        .build())
+                .build());
+        try (var test = new TestSpace(new WiringObserver(monitor))) {
+            Store store = test.spawn(Store.class, () -> () -> Promise.of(1));
+            Server serving = test.spawn(Server.class, () -> new Serving() {
+                @Override
+                public Promise<Integer> get() {
+                    return store.load().thenApply(value -> value + 1);
+                }
+            });
+            Client client = test.spawn(Client.class, () -> serving::get, ActorSettings.named("client"));
+            client.go();
+            test.runQueued();
+            monitor.idle();
+            test.takeProblems();
+        }
+        return monitor;
     }
 
     @Test
