@@ -128,6 +128,7 @@ final class WiringNet {
     private final Set<String> abandoned = new HashSet<>();
     private final Map<String, OnlyWay> onlyWays = new HashMap<>(); // by place
     private final PetriNet net;
+    private final List<Place> ended; // none if no component ends
 
     WiringNet(Wiring wiring, Set<String> chosen) {
         this.wiring = wiring;
@@ -166,6 +167,9 @@ final class WiringNet {
         }
         new Endings(this).add();
         net = draft.build();
+        ended = net.places().stream()
+                .filter(place -> componentState(place) instanceof ComponentState.Ended)
+                .toList();
     }
 
     Wiring wiring() {
@@ -201,10 +205,15 @@ final class WiringNet {
         return requireNonNull(draft.events.get(name(transition)));
     }
 
+    /** Whether there are components that end. */
+    boolean someEnd() {
+        return !ended.isEmpty();
+    }
+
     /** The components that have ended in a marking, or are left by all that call them. */
     Set<String> ended(Marking marking) {
-        return marking.marked().stream()
-                .filter(place -> componentState(place) instanceof ComponentState.Ended)
+        return ended.stream()
+                .filter(place -> marking.tokens(place) > 0)
                 .map(place -> owner(place).orElseThrow())
                 .collect(Collectors.toSet());
     }

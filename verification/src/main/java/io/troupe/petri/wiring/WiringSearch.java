@@ -158,7 +158,9 @@ final class WiringSearch {
         Arrays.parallelPrefix(starts, Integer::sum);
         var sources = new int[graph.edgeCount()];
         for (var state : states) {
-            net.ended(state.marking()).forEach(ended -> requireNonNull(moves.get(ended))[state.index()] = true);
+            if (net.someEnd()) {
+                net.ended(state.marking()).forEach(ended -> requireNonNull(moves.get(ended))[state.index()] = true);
+            }
             for (var edge : state.successors()) {
                 sources[starts[edge.target().index() + 1]++] = state.index();
                 movedBy.get(edge.transition().index()).forEach(moved -> moved[state.index()] = true);

@@ -769,6 +769,30 @@ class DeclarationsTest {
                                 + " orRejected(STATE)");
     }
 
+    /** Both calls that a server has accepted are rejected when it fails; one of them was given up before. */
+    @Test
+    void failure_rejectsTheCallsThatWereAccepted() {
+        var server = Protocol.of("server")
+                .state("idle", accepts("get").then("one"))
+                .state("one", accepts("get").then("two"), answers("get").then("idle"))
+                .state("two", answers("get").then("one"))
+                .state("down", does("restart").then("idle"))
+                .failsTo("down")
+                .build();
+        var client = Protocol.of("client")
+                .state("idle", requests("server.get").then("idle").orRejected("idle"))
+                .build();
+        var hasty = Protocol.of("hasty")
+                .state("idle", asks("server.get").then("waiting"))
+                .state(
+                        "waiting",
+                        answered("server.get").then("idle"),
+                        rejected("server.get").then("idle"),
+                        cancels("server.get").then("idle"))
+                .build();
+        requireProved(Wiring.of("accepted").component(server).component(client).component(hasty));
+    }
+
     @Test
     void failureOfACaller_withdrawsItsQuestions_andRejectsItsStream() {
         var gateway = Protocol.of("gateway")
