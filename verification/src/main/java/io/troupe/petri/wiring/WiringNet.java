@@ -128,7 +128,7 @@ final class WiringNet {
     private final Set<String> abandoned = new HashSet<>();
     private final Map<String, OnlyWay> onlyWays = new HashMap<>(); // by place
     private final PetriNet net;
-    private final List<Place> ended; // none if no component ends
+    private final boolean someEnd;
 
     WiringNet(Wiring wiring, Set<String> chosen) {
         this.wiring = wiring;
@@ -167,9 +167,7 @@ final class WiringNet {
         }
         new Endings(this).add();
         net = draft.build();
-        ended = net.places().stream()
-                .filter(place -> componentState(place) instanceof ComponentState.Ended)
-                .toList();
+        someEnd = draft.meanings.values().stream().anyMatch(ComponentState.Ended.class::isInstance);
     }
 
     Wiring wiring() {
@@ -207,13 +205,13 @@ final class WiringNet {
 
     /** Whether there are components that end. */
     boolean someEnd() {
-        return !ended.isEmpty();
+        return someEnd;
     }
 
     /** The components that have ended in a marking, or are left by all that call them. */
     Set<String> ended(Marking marking) {
-        return ended.stream()
-                .filter(place -> marking.tokens(place) > 0)
+        return marking.marked().stream()
+                .filter(place -> componentState(place) instanceof ComponentState.Ended)
                 .map(place -> owner(place).orElseThrow())
                 .collect(Collectors.toSet());
     }
