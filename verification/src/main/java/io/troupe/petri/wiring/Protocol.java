@@ -119,8 +119,8 @@ public final class Protocol {
     }
 
     /**
-     * A call that other components may make while the component is in this state. It owes the answer from then on, until
-     * a later state {@link #answers} or {@link #refuses}; between them may be any steps, such as other calls:
+     * A call that other components may make while the component is in this state. It owes the answer from then on,
+     * until a later state {@link #answers} or {@link #refuses}; between them may be any steps, such as other calls:
      *
      * {@snippet :
      * Protocol.of("cache")
@@ -239,8 +239,8 @@ public final class Protocol {
 
     /**
      * The component has ended in this state, which nothing else leads out of. It waits for nothing any more; nor do
-     * components that only such call as have ended, where they wait for a call. To call a component that has ended is to
-     * wait for ever.
+     * components that only such call as have ended, where they wait for a call. To call a component that has ended is
+     * to wait for ever.
      *
      * <p>{@code state("over", ends())}
      */

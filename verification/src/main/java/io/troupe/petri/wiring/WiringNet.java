@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -496,24 +497,10 @@ final class WiringNet {
         var caller = component + where;
         var waiting = component + " waits for " + target + where;
         var pending = component + " is served " + target + where;
-        var open = component + " waits for the answer of " + target + where;
         var isServed = wiring.protocol(provider).answersAtOnce(call);
-        var isAccepted = wiring.protocol(provider).answersLater(call);
         draft.local(component, waiting, 0, new ComponentState.Asking(component, request));
         if (isServed) {
             draft.local(component, pending, 0, new ComponentState.Served(component, request));
-        }
-        if (isAccepted) {
-            draft.local(component, open, 0, new ComponentState.Served(component, request));
-            accepted.request(
-                    component,
-                    caller,
-                    target,
-                    waiting,
-                    open,
-                    at(component, request.to()),
-                    request.onRejection().map(state -> at(component, state)).stream()
-                            .toList());
         }
         draft.step(
                 component + " asks " + target + where,
@@ -546,37 +533,76 @@ final class WiringNet {
                                 both.begins(provider, step).seen(Kind.REJECTED, component, target),
                                 List.of(waiting, at(provider, step.from())),
                                 List.of(at(component, state), at(provider, step.to())))));
+        givesUp(
+                component,
+                request,
+                caller,
+                waiting,
+                isServed ? Optional.of(pending) : Optional.empty(),
+                () -> abandoned(component, provider, call));
+        if (wiring.protocol(provider).answersLater(call)) {
+            accept(component, request, caller, target, waiting);
+        }
+    }
+
+    /**
+     * The time-outs and failures of a caller whose request is not accepted, or is served on the place {@code served}.
+     */
+    private void givesUp(
+            String component,
+            Step.Requests request,
+            String caller,
+            String waiting,
+            Optional<String> served,
+            Supplier<String> abandoned) {
+        var target = wiring.target(component, request);
         request.onTimeout().ifPresent(state -> {
             var event = caller + " times out: " + target;
             var seen = Event.of(component).seen(Kind.TIMED_OUT, component, target);
             draft.step(event + " was not taken", seen, List.of(waiting), List.of(at(component, state)));
-            if (isServed) {
-                var abandoned = List.of(at(component, state), abandoned(component, provider, call));
-                draft.step(event + " is served after the timeout", seen, List.of(pending), abandoned);
-            }
-            if (isAccepted) {
-                var gone = List.of(at(component, state), accepted.gone(component, target));
-                draft.step(event + " is answered after the timeout", seen, List.of(open), gone);
-            }
+            served.ifPresent(pending -> draft.step(
+                    event + " is served after the timeout",
+                    seen,
+                    List.of(pending),
+                    List.of(at(component, state), abandoned.get())));
         });
         if (wiring.protocol(component).failsIn(request.from())) {
             fails(component, request.from(), caller + " fails waiting for " + target, List.of(waiting), List.of());
-            if (isServed) {
-                fails(
-                        component,
-                        request.from(),
-                        caller + " fails while it is served " + target,
-                        List.of(pending),
-                        List.of(abandoned(component, provider, call)));
-            }
-            if (isAccepted) {
-                fails(
-                        component,
-                        request.from(),
-                        caller + " fails waiting for the answer of " + target,
+            served.ifPresent(pending -> fails(
+                    component,
+                    request.from(),
+                    caller + " fails while it is served " + target,
+                    List.of(pending),
+                    List.of(abandoned.get())));
+        }
+    }
+
+    /** A request that is accepted, and answered in a later state of its provider. */
+    private void accept(String component, Step.Requests request, String caller, String target, String waiting) {
+        var open = component + " waits for the answer of " + target + labels.where(component, request);
+        draft.local(component, open, 0, new ComponentState.Served(component, request));
+        accepted.request(
+                component,
+                caller,
+                target,
+                waiting,
+                open,
+                at(component, request.to()),
+                request.onRejection().map(state -> at(component, state)).stream()
+                        .toList());
+        request.onTimeout()
+                .ifPresent(state -> draft.step(
+                        caller + " times out: " + target + " is answered after the timeout",
+                        Event.of(component).seen(Kind.TIMED_OUT, component, target),
                         List.of(open),
-                        List.of(accepted.gone(component, target)));
-            }
+                        List.of(at(component, state), accepted.gone(component, target))));
+        if (wiring.protocol(component).failsIn(request.from())) {
+            fails(
+                    component,
+                    request.from(),
+                    caller + " fails waiting for the answer of " + target,
+                    List.of(open),
+                    List.of(accepted.gone(component, target)));
         }
     }
 
@@ -663,13 +689,7 @@ final class WiringNet {
                 case Step.Accepts accepts -> component + " accepts " + accepts.call() + in(component, accepts);
                 case Step.Answers answers ->
                     component + " answers " + answers.call()
-                            + in(
-                                    step,
-                                    protocol.steps(Step.class)
-                                            .filter(other -> other instanceof Step.Answers answer
-                                                            && answer.call().equals(answers.call())
-                                                    || other instanceof Step.Provides offer
-                                                            && offer.call().equals(answers.call())));
+                            + in(step, protocol.steps().stream().filter(other -> isAnswer(other, answers.call())));
                 case Step.Refuses refuses ->
                     component + " refuses " + refuses.call()
                             + in(
@@ -710,6 +730,11 @@ final class WiringNet {
                 case Step.Stops stop ->
                     component + " stops" + (protocol.stopStates().size() == 1 ? "" : " in " + stop.from());
             };
+        }
+
+        private static boolean isAnswer(Step step, String call) {
+            return step instanceof Step.Answers answers && answers.call().equals(call)
+                    || step instanceof Step.Provides offer && offer.call().equals(call);
         }
 
         /** What a step is, for example {@code take tool}. */

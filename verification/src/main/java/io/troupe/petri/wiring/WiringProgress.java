@@ -26,15 +26,15 @@ import java.util.stream.Stream;
  * comes into a state again and again.
  *
  * <p>A run is fair if a step that is possible infinitely often is taken infinitely often ({@link FairRuns}). The
- * answers need all markings and are exact; for a wiring that is too large they are {@link Unknown}, unless what is asked
- * for was met before.
+ * answers need all markings and are exact; for a wiring that is too large they are {@link Unknown}, unless what is
+ * asked for was met before.
  *
  * {@snippet :
- * var progress = WiringProgress.of(wiring);
+ * var progress = WiringProgress.of(commit);
  * assertThat(progress.never(Map.of("p1", Set.of("committed"), "p2", Set.of("aborted")))).isInstanceOf(Holds.class);
  * assertThat(progress.canReach(Map.of("p1", Set.of("committed")))).isInstanceOf(Holds.class);
  * assertThat(progress.everyRequestIsAnswered()).isInstanceOf(Holds.class);
- * assertThat(progress.alwaysAgain("robot", "driven")).isInstanceOf(Holds.class);
+ * assertThat(progress.alwaysAgain("coordinator", "over")).isInstanceOf(Holds.class);
  * }
  *
  * <p><b>Role.</b> After {@link WiringCheck}, which decides whether components can go on at all.
@@ -138,8 +138,8 @@ public final class WiringProgress {
     }
 
     /**
-     * Whether it can happen that each of these components is in one of its states, as in {@link #never}; a {@link Holds}
-     * has a shortest way.
+     * Whether it can happen that each of these components is in one of its states, as in {@link #never}; a
+     * {@link Holds} has a shortest way.
      */
     public Answer canReach(Map<String, Set<String>> states) {
         wiring.requireStates(states);

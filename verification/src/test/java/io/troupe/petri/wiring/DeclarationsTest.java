@@ -87,11 +87,34 @@ class DeclarationsTest {
             b.state("idle", provides("help").then("asking"))
                     .state("asking", requests("a.state").then("idle"));
         } else {
-            b.state("idle", accepts("help").then("asking"))
-                    .state("asking", requests("a.state").then("knowing"))
-                    .state("knowing", answers("help").then("idle"));
+            b = helper();
         }
         return Wiring.of("help").component(a.build()).component(b.build());
+    }
+
+    private static ProtocolBuilder helper() {
+        var b = Protocol.of("b")
+                .state("idle", accepts("help").then("asking"))
+                .state("asking", requests("a.state").then("knowing"))
+                .state("knowing", answers("help").then("idle"));
+        return b;
+    }
+
+    /** The sample of {@link Protocol#accepts}. */
+    @Test
+    void cache_thatAsksItsServer_answersLater() {
+        var cache = Protocol.of("cache")
+                .state("idle", accepts("get").then("looking"))
+                .state(
+                        "looking",
+                        does("find it").then("found"),
+                        requests("server.get").then("found"))
+                .state("found", answers("get").then("idle"))
+                .build();
+        var client = Protocol.of("client").state("idle", requests("cache.get").then("idle"));
+        var server = Protocol.of("server").state("ready", provides("get").then("ready"));
+        requireProved(
+                Wiring.of("caching").component(client.build()).component(cache).component(server.build()));
     }
 
     @Test

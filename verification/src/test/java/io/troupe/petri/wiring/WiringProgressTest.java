@@ -188,6 +188,17 @@ class WiringProgressTest {
                 .hasToString("never at once: p1 is committed, p2 is aborted");
     }
 
+    @Test
+    void samples() {
+        var commit = commit(false);
+        var progress = WiringProgress.of(commit);
+        assertThat(progress.never(Map.of("p1", Set.of("committed"), "p2", Set.of("aborted"))))
+                .isInstanceOf(Holds.class);
+        assertThat(progress.canReach(Map.of("p1", Set.of("committed")))).isInstanceOf(Holds.class);
+        assertThat(progress.everyRequestIsAnswered()).isInstanceOf(Holds.class);
+        assertThat(progress.alwaysAgain("coordinator", "over")).isInstanceOf(Holds.class);
+    }
+
     /** A component that waits for the answer, or waits for a resource, is still in its state. */
     @Test
     void component_isInAStateUntilItsStepIsOver() {
