@@ -35,9 +35,11 @@ final class Explainer {
         return new Counterexample(
                 sentence(shown, stopped(trace)),
                 trace.stream().map(net::name).toList(),
+                new ToldSteps(trace, net).steps(),
                 isShortest,
                 List.copyOf(waits.values()),
-                circle);
+                circle,
+                net.ended(marking));
     }
 
     /** The state of each component and mailbox in a marking. */

@@ -76,11 +76,29 @@ public final class WiringProgress {
      *
      * @param firings of {@link #canReach} a shortest firing sequence that leads there, in the words of the declaration;
      *     else empty
+     * @param steps the same for a reader, as in a {@link Counterexample}
      */
-    public record Holds(List<String> firings) implements Answer {
+    public record Holds(List<String> firings, List<String> steps) implements Answer {
+        static final Holds PROVED = new Holds(List.of(), List.of());
+
         public Holds {
             firings = List.copyOf(firings);
+            steps = List.copyOf(steps);
         }
+
+        /** The steps one per line. */
+        @Override
+        public String toString() {
+            return "it is so" + (steps.isEmpty() ? "" : lines(steps));
+        }
+    }
+
+    private static String lines(List<String> steps) {
+        var text = new StringBuilder("\n  after ").append(steps.size()).append(" steps:");
+        for (var i = 0; i < steps.size(); i++) {
+            text.append("\n    ").append(i + 1).append(". ").append(steps.get(i));
+        }
+        return text.toString();
     }
 
     /**
@@ -88,12 +106,15 @@ public final class WiringProgress {
      *
      * @param sentence what is so instead, for example {@code robot waits for player.plan and is never answered}
      * @param firings a firing sequence to where it is lost, in the words of the declaration
+     * @param steps the same for a reader, as in a {@link Counterexample}
      * @param forever the steps that go on for ever without it, none in a deadlock; empty if the question is not about
      *     the end
      */
-    public record Fails(String sentence, List<String> firings, Optional<List<String>> forever) implements Answer {
+    public record Fails(String sentence, List<String> firings, List<String> steps, Optional<List<String>> forever)
+            implements Answer {
         public Fails {
             firings = List.copyOf(firings);
+            steps = List.copyOf(steps);
             forever = forever.map(List::copyOf);
         }
 
@@ -101,15 +122,12 @@ public final class WiringProgress {
         @Override
         public String toString() {
             var text = new StringBuilder(sentence);
-            if (!firings.isEmpty() || forever.isPresent()) {
-                text.append("\n  after ").append(firings.size()).append(" steps:");
+            if (!steps.isEmpty() || forever.isPresent()) {
+                text.append(lines(steps));
             }
-            for (var i = 0; i < firings.size(); i++) {
-                text.append("\n    ").append(i + 1).append(". ").append(firings.get(i));
-            }
-            forever.ifPresent(steps -> {
-                text.append(steps.isEmpty() ? "\n  then nothing happens" : "\n  then for ever only:");
-                steps.forEach(step -> text.append("\n    ").append(step));
+            forever.ifPresent(rest -> {
+                text.append(rest.isEmpty() ? "\n  then nothing happens" : "\n  then for ever only:");
+                rest.forEach(step -> text.append("\n    ").append(step));
             });
             return text.toString();
         }
@@ -133,8 +151,9 @@ public final class WiringProgress {
     public Answer never(Map<String, Set<String>> states) {
         wiring.requireStates(states);
         return reached(states)
-                .<Answer>map(state -> new Fails(sentence(state.marking(), states), way(state), Optional.empty()))
-                .orElseGet(() -> complete(new Holds(List.of())));
+                .<Answer>map(state -> fails(
+                        sentence(state.marking(), states), state.shortestTrace(), Optional.empty()))
+                .orElseGet(() -> complete(Holds.PROVED));
     }
 
     /**
@@ -143,13 +162,13 @@ public final class WiringProgress {
      */
     public Answer canReach(Map<String, Set<String>> states) {
         wiring.requireStates(states);
-        return reached(states).<Answer>map(state -> new Holds(way(state))).orElseGet(() -> {
+        return reached(states).<Answer>map(state -> holds(state.shortestTrace())).orElseGet(() -> {
             var words = new TreeMap<>(states)
                     .entrySet().stream()
                             .map(entry ->
                                     entry.getKey() + " is " + String.join(" or ", new TreeSet<>(entry.getValue())))
                             .collect(Collectors.joining(", "));
-            return complete(new Fails("never at once: " + words, List.of(), Optional.empty()));
+            return complete(fails("never at once: " + words, List.of(), Optional.empty()));
         });
     }
 
@@ -177,8 +196,16 @@ public final class WiringProgress {
                 .collect(Collectors.joining(", "));
     }
 
-    private List<String> way(ReachabilityGraph.State state) {
-        return state.shortestTrace().stream().map(Transition::name).toList();
+    private Holds holds(List<Transition> trace) {
+        return new Holds(trace.stream().map(Transition::name).toList(), new ToldSteps(trace, net).steps());
+    }
+
+    private Fails fails(String sentence, List<Transition> trace, Optional<List<String>> forever) {
+        return new Fails(
+                sentence,
+                trace.stream().map(Transition::name).toList(),
+                new ToldSteps(trace, net).steps(),
+                forever);
     }
 
     /** The answer from all markings. */
@@ -188,7 +215,7 @@ public final class WiringProgress {
 
     /** Whether a component that makes a call always gets its answer, its rejection, or its time-out. */
     public Answer everyRequestIsAnswered() {
-        Answer answer = new Holds(List.of());
+        Answer answer = Holds.PROVED;
         for (var call : unanswered().entrySet()) {
             Predicate<Marking> isOpen =
                     marking -> call.getValue().stream().anyMatch(place -> marking.tokens(place) > 0);
@@ -240,15 +267,14 @@ public final class WiringProgress {
 
     private Answer answer(FairRuns.Answer answer, String sentence) {
         return switch (answer) {
-            case FairRuns.Holds holds -> new Holds(List.of());
+            case FairRuns.Holds holds -> Holds.PROVED;
             case FairRuns.Unknown unknown -> new Unknown(unknown.end(), unknown.markings());
             case FairRuns.Fails fails -> {
                 var forever = new ArrayList<Transition>(net.net().transitions());
                 forever.removeAll(fails.forever().neverFired());
-                yield new Fails(
+                yield fails(
                         sentence,
                         Stream.concat(fails.trace().stream(), fails.way().stream())
-                                .map(Transition::name)
                                 .toList(),
                         Optional.of(forever.stream().map(Transition::name).toList()));
             }

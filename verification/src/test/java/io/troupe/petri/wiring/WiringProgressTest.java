@@ -1,14 +1,10 @@
 package io.troupe.petri.wiring;
 
 import static io.troupe.petri.Nets.refused;
-import static io.troupe.petri.wiring.Protocol.accepts;
 import static io.troupe.petri.wiring.Protocol.answered;
-import static io.troupe.petri.wiring.Protocol.answers;
 import static io.troupe.petri.wiring.Protocol.asks;
 import static io.troupe.petri.wiring.Protocol.does;
-import static io.troupe.petri.wiring.Protocol.ends;
 import static io.troupe.petri.wiring.Protocol.provides;
-import static io.troupe.petri.wiring.Protocol.refuses;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -17,7 +13,6 @@ import io.troupe.petri.SearchLimits;
 import io.troupe.petri.wiring.WiringProgress.Fails;
 import io.troupe.petri.wiring.WiringProgress.Holds;
 import io.troupe.petri.wiring.WiringProgress.Unknown;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -85,118 +80,6 @@ class WiringProgressTest {
         assertThat(fails.firings())
                 .containsExactlyInAnyOrder("client asks planner.plan and goes on", "planner: begin to map");
         assertThat(fails.forever().orElseThrow()).containsExactlyInAnyOrder("client: look around", "planner: map");
-    }
-
-    /** Two connections for three clients; a lease that expires gives one back while its client goes on to use it. */
-    private static Wiring pool(boolean expires) {
-        var pool = Protocol.of("pool");
-        for (var free = 2; free >= 0; free--) {
-            var ways = new ArrayList<Branch>();
-            if (free > 0) {
-                ways.add(provides("take").then("free " + (free - 1)));
-            }
-            if (free < 2) {
-                ways.add(provides("give").then("free " + (free + 1)));
-                if (expires) {
-                    ways.add(does("a lease expires").then("free " + (free + 1)));
-                }
-            } else if (expires) {
-                ways.add(provides("give").then("free 2")); // too late
-            }
-            pool.state("free " + free, ways.toArray(new Branch[0]));
-        }
-        var client = Protocol.of("client")
-                .state("idle", requests("pool.take").then("using"))
-                .state("using", does("use").then("done"))
-                .state("done", requests("pool.give").then("idle"))
-                .build();
-        return Wiring.of("pool")
-                .components("client", 3, client)
-                .component(pool.build())
-                .build();
-    }
-
-    private static final Map<String, Set<String>> ALL_USE =
-            Map.of("client1", Set.of("using"), "client2", Set.of("using"), "client3", Set.of("using"));
-
-    @Test
-    void connections_areNeverUsedByMoreThanThereAre_unlessALeaseExpires() {
-        assertThat(WiringCheck.check(pool(true))).isInstanceOf(WiringResult.Proved.class);
-        assertThat(WiringProgress.of(pool(false)).never(ALL_USE)).isEqualTo(new Holds(List.of()));
-        var fails = (Fails) WiringProgress.of(pool(true)).never(ALL_USE);
-        assertThat(fails.sentence()).isEqualTo("client1 is using, client2 is using, client3 is using");
-        assertThat(fails.firings()).hasSize(13).contains("pool: a lease expires (in free 1)");
-        assertThat(fails.toString())
-                .startsWith("client1 is using, client2 is using, client3 is using\n  after 13 steps:\n    1. ")
-                .doesNotContain("then");
-    }
-
-    /** Each of two participants votes, and the coordinator commits if both agree; one may give up by itself. */
-    private static Wiring commit(boolean alone) {
-        var coordinator = Protocol.of("coordinator")
-                .state("new", requests("p1.prepare").then("first").orRejected("aborting 2"))
-                .state("first", requests("p2.prepare").then("committing 1").orRejected("aborting 1"))
-                .state("committing 1", requests("p1.commit").then("committing 2"))
-                .state("committing 2", requests("p2.commit").then("over"))
-                .state("aborting 1", requests("p1.abort").then("over"))
-                .state("aborting 2", requests("p2.abort").then("over"))
-                .state("over", ends())
-                .build();
-        var ways = new ArrayList<>(
-                List.of(provides("commit").then("committed"), provides("abort").then("aborted")));
-        if (alone) {
-            ways.add(does("time out").then("gave up"));
-        }
-        var participant = Protocol.of("participant")
-                .state(
-                        "new",
-                        accepts("prepare").then("asked"),
-                        provides("abort").then("aborted"))
-                .state(
-                        "asked",
-                        answers("prepare").then("prepared"),
-                        refuses("prepare").then("aborted"))
-                .state("prepared", ways.toArray(new Branch[0]))
-                .state("committed", ends())
-                .state("aborted", ends());
-        if (alone) {
-            participant.state(
-                    "gave up",
-                    provides("commit").then("aborted"),
-                    provides("abort").then("aborted"));
-        }
-        return Wiring.of("commit")
-                .component(coordinator)
-                .components("p", 2, participant.build())
-                .build();
-    }
-
-    @Test
-    void participants_neverDisagree_unlessOneGivesUpAlone() {
-        for (var alone : new boolean[] {false, true}) {
-            var wiring = commit(alone);
-            assertThat(WiringCheck.check(wiring)).isInstanceOf(WiringResult.Proved.class);
-            var progress = WiringProgress.of(wiring);
-            var disagree = progress.never(Map.of("p1", Set.of("committed"), "p2", Set.of("aborted")));
-            assertThat(disagree).isInstanceOf(alone ? Fails.class : Holds.class);
-            var both = (Holds) progress.canReach(Map.of("p1", Set.of("committed"), "p2", Set.of("committed")));
-            assertThat(both.firings()).last().asString().startsWith("p2 answers commit");
-            assertThat(progress.alwaysAgain("coordinator", "over")).isInstanceOf(Holds.class);
-        }
-        assertThat(WiringProgress.of(commit(false))
-                        .canReach(Map.of("p1", Set.of("committed"), "p2", Set.of("aborted"))))
-                .hasToString("never at once: p1 is committed, p2 is aborted");
-    }
-
-    @Test
-    void samples() {
-        var commit = commit(false);
-        var progress = WiringProgress.of(commit);
-        assertThat(progress.never(Map.of("p1", Set.of("committed"), "p2", Set.of("aborted"))))
-                .isInstanceOf(Holds.class);
-        assertThat(progress.canReach(Map.of("p1", Set.of("committed")))).isInstanceOf(Holds.class);
-        assertThat(progress.everyRequestIsAnswered()).isInstanceOf(Holds.class);
-        assertThat(progress.alwaysAgain("coordinator", "over")).isInstanceOf(Holds.class);
     }
 
     /** A component that waits for the answer, or waits for a resource, is still in its state. */
