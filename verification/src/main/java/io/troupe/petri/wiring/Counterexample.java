@@ -40,12 +40,7 @@ public record Counterexample(
     @Override
     public String toString() {
         var text = new StringBuilder(sentence);
-        text.append("\n  after ")
-                .append(steps.size())
-                .append(isShortest ? " steps:" : " steps, perhaps not the fewest:");
-        for (var i = 0; i < steps.size(); i++) {
-            text.append("\n    ").append(i + 1).append(". ").append(steps.get(i));
-        }
+        text.append(ToldSteps.lines(steps, isShortest ? "" : ", perhaps not the fewest"));
         text.append("\n  then:");
         waits.forEach(wait -> text.append("\n    ")
                 .append(circle.contains(wait) ? "* " : "  ")

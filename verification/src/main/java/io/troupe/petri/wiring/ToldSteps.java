@@ -111,4 +111,17 @@ final class ToldSteps {
         }
         return OptionalInt.empty();
     }
+
+    /** The steps one per line, under a heading. */
+    static String lines(List<String> steps, String remark) {
+        var text = new StringBuilder("\n  after ")
+                .append(steps.size())
+                .append(steps.size() == 1 ? " step" : " steps")
+                .append(remark)
+                .append(':');
+        for (var i = 0; i < steps.size(); i++) {
+            text.append("\n    ").append(i + 1).append(". ").append(steps.get(i));
+        }
+        return text.toString();
+    }
 }

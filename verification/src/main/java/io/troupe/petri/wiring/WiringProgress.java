@@ -89,16 +89,8 @@ public final class WiringProgress {
         /** The steps one per line. */
         @Override
         public String toString() {
-            return "it is so" + (steps.isEmpty() ? "" : lines(steps));
+            return "it is so" + (steps.isEmpty() ? "" : ToldSteps.lines(steps, ""));
         }
-    }
-
-    private static String lines(List<String> steps) {
-        var text = new StringBuilder("\n  after ").append(steps.size()).append(" steps:");
-        for (var i = 0; i < steps.size(); i++) {
-            text.append("\n    ").append(i + 1).append(". ").append(steps.get(i));
-        }
-        return text.toString();
     }
 
     /**
@@ -123,7 +115,7 @@ public final class WiringProgress {
         public String toString() {
             var text = new StringBuilder(sentence);
             if (!steps.isEmpty() || forever.isPresent()) {
-                text.append(lines(steps));
+                text.append(ToldSteps.lines(steps, ""));
             }
             forever.ifPresent(rest -> {
                 text.append(rest.isEmpty() ? "\n  then nothing happens" : "\n  then for ever only:");

@@ -49,7 +49,7 @@ class WiringProgressTest {
         var fails = (Fails) WiringProgress.of(drivers(true)).alwaysAgain("robot", "driven");
         assertThat(fails).hasToString("""
                 robot is never driven again
-                  after 1 steps:
+                  after 1 step:
                     1. driver: retire
                   then for ever only:
                     driver: rest""");
