@@ -34,8 +34,8 @@ public record Counterexample(
     }
 
     /**
-     * The sentence, the steps one per line, and the waits with the reason why each lasts for ever; {@code *} marks those
-     * in the circle.
+     * The sentence, the steps one per line, and the waits, each with the reason why it lasts; {@code *} marks those in
+     * the circle.
      */
     @Override
     public String toString() {
@@ -58,7 +58,9 @@ public record Counterexample(
         }
         var gone = others.stream().filter(ended::contains).toList();
         var busy = others.stream().filter(each -> !ended.contains(each)).toList();
-        return (gone.isEmpty() ? "" : "; " + String.join(" and ", gone) + (gone.size() == 1 ? " has" : " have") + " ended")
+        return (gone.isEmpty()
+                        ? ""
+                        : "; " + String.join(" and ", gone) + (gone.size() == 1 ? " has" : " have") + " ended")
                 + (busy.isEmpty()
                         ? ""
                         : ", whatever " + String.join(" and ", busy) + (busy.size() == 1 ? " does" : " do"));

@@ -51,8 +51,7 @@ final class ToldSteps {
     /** A component has decided on a step that may have to wait, and takes it next. */
     private void leaveOutDecision(int at) {
         var who = events.get(at).who();
-        isLeftOut[at] = next(at, who)
-                .stream()
+        isLeftOut[at] = next(at, who).stream()
                 .anyMatch(next -> is(next, Kind.ACQUIRED)
                         || is(next, Kind.SENT)
                         || is(next, Kind.EMITTED)
@@ -84,8 +83,7 @@ final class ToldSteps {
         isLeftOut[parts.getLast()] = false;
         names.set(
                 parts.getLast(),
-                names.get(asked).replaceFirst(" asks ", " calls ").replace(" and goes on", "")
-                        + ", which answers");
+                names.get(asked).replaceFirst(" asks ", " calls ").replace(" and goes on", "") + ", which answers");
     }
 
     /** The provider executes the call. */

@@ -143,8 +143,7 @@ public final class WiringProgress {
     public Answer never(Map<String, Set<String>> states) {
         wiring.requireStates(states);
         return reached(states)
-                .<Answer>map(state -> fails(
-                        sentence(state.marking(), states), state.shortestTrace(), Optional.empty()))
+                .<Answer>map(state -> fails(sentence(state.marking(), states), state.shortestTrace(), Optional.empty()))
                 .orElseGet(() -> complete(Holds.PROVED));
     }
 
@@ -154,14 +153,16 @@ public final class WiringProgress {
      */
     public Answer canReach(Map<String, Set<String>> states) {
         wiring.requireStates(states);
-        return reached(states).<Answer>map(state -> holds(state.shortestTrace())).orElseGet(() -> {
-            var words = new TreeMap<>(states)
-                    .entrySet().stream()
-                            .map(entry ->
-                                    entry.getKey() + " is " + String.join(" or ", new TreeSet<>(entry.getValue())))
-                            .collect(Collectors.joining(", "));
-            return complete(fails("never at once: " + words, List.of(), Optional.empty()));
-        });
+        return reached(states)
+                .<Answer>map(state -> holds(state.shortestTrace()))
+                .orElseGet(() -> {
+                    var words = new TreeMap<>(states)
+                            .entrySet().stream()
+                                    .map(entry -> entry.getKey() + " is "
+                                            + String.join(" or ", new TreeSet<>(entry.getValue())))
+                                    .collect(Collectors.joining(", "));
+                    return complete(fails("never at once: " + words, List.of(), Optional.empty()));
+                });
     }
 
     /** The nearest marking in which each of these components is in one of its states. */
@@ -194,10 +195,7 @@ public final class WiringProgress {
 
     private Fails fails(String sentence, List<Transition> trace, Optional<List<String>> forever) {
         return new Fails(
-                sentence,
-                trace.stream().map(Transition::name).toList(),
-                new ToldSteps(trace, net).steps(),
-                forever);
+                sentence, trace.stream().map(Transition::name).toList(), new ToldSteps(trace, net).steps(), forever);
     }
 
     /** The answer from all markings. */

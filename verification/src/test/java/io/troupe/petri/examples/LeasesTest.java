@@ -14,7 +14,6 @@ import io.troupe.petri.wiring.WiringProgress.Fails;
 import io.troupe.petri.wiring.WiringProgress.Holds;
 import io.troupe.petri.wiring.WiringResult;
 import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;

@@ -96,7 +96,10 @@ class MoreDesignsTest {
 
     private static Wiring pipeline(Overflow overflow) {
         var source = Protocol.of("source")
-                .state("ready", receives("feedback").then("ready"), does("read an image").then("loaded"))
+                .state(
+                        "ready",
+                        receives("feedback").then("ready"),
+                        does("read an image").then("loaded"))
                 .state("loaded", sends("filter.image").then("ready"))
                 .build();
         var filter = Protocol.of("filter")
@@ -135,7 +138,10 @@ class MoreDesignsTest {
                         answered("server.goal").then("leaving"),
                         answered("server.cancel").then("cancelled"),
                         finished("server.goal").then("left"))
-                .state("cancelled", answered("server.goal").then("cancelled"), finished("server.goal").then("idle"))
+                .state(
+                        "cancelled",
+                        answered("server.goal").then("cancelled"),
+                        finished("server.goal").then("idle"))
                 .state("left", answered("server.cancel").then("idle"))
                 .build();
         var idle = new Branch[whenIdle.length + 1];
@@ -160,7 +166,6 @@ class MoreDesignsTest {
                 client waits for server.cancel, which no component will answer; \
                 server (idle) waits to be called: goal by client, which no component will do
                 """);
-        assertThat(WiringCheck.check(action(provides("cancel").then("idle"))))
-                .isInstanceOf(WiringResult.Proved.class);
+        assertThat(WiringCheck.check(action(provides("cancel").then("idle")))).isInstanceOf(WiringResult.Proved.class);
     }
 }

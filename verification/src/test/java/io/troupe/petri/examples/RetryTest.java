@@ -32,7 +32,9 @@ class RetryTest {
 
     @Test
     void clientThatForgetsItsQuestion_isNotAnsweredAgain() {
-        assertThat(WiringCheck.check(retry(does("time out").then("idle")))).asString().contains("""
+        assertThat(WiringCheck.check(retry(does("time out").then("idle"))))
+                .asString()
+                .contains("""
                 client waits for planner.plan, which no component will answer; planner (ready) waits to be called: \
                 plan by client, which no component will do
                   after 5 steps:

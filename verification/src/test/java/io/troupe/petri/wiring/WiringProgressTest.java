@@ -13,7 +13,6 @@ import io.troupe.petri.SearchLimits;
 import io.troupe.petri.wiring.WiringProgress.Fails;
 import io.troupe.petri.wiring.WiringProgress.Holds;
 import io.troupe.petri.wiring.WiringProgress.Unknown;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
