@@ -1,12 +1,11 @@
 package io.troupe.bench;
 
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
-import io.troupe.petri.LargeNet;
+import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
 import io.troupe.petri.PnmlException;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.deadlock.DeadlockCheck;
-import io.troupe.petri.deadlock.LargeDeadlockCheck;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
@@ -141,9 +140,9 @@ public final class CompareDeadlocks implements Callable<Integer> {
     private Row compare(Path file, Path question) throws IOException, InterruptedException {
         var name = file.getFileName().toString().replaceAll("\\.pnml$", "");
         var start = System.nanoTime();
-        LargeNet net;
+        PetriNet net;
         try {
-            net = Pnml.readLarge(file, warning -> {});
+            net = Pnml.read(file, warning -> {});
         } catch (PnmlException e) {
             return new Row(
                     name,
@@ -153,20 +152,18 @@ public final class CompareDeadlocks implements Callable<Integer> {
                     expected(name));
         }
         var ours = decide(net, start);
-        var size = net.net().places().size() + ", " + net.net().transitions().size();
+        var size = net.places().size() + ", " + net.transitions().size();
         return new Row(name, size, ours, peer(file, question), expected(name));
     }
 
-    private Timed decide(LargeNet net, long start) {
+    private Timed decide(PetriNet net, long start) {
         var end = start + TimeUnit.SECONDS.toNanos(seconds);
         var limits = SearchLimits.markings(Integer.MAX_VALUE)
                 .cancelledBy(() -> System.nanoTime() > end)
                 .within(Runtime.getRuntime().maxMemory() * 6 / 10);
         Decided decided;
         try {
-            decided = net.largePlaces().isEmpty()
-                    ? Decided.of(DeadlockCheck.decide(net.net(), limits))
-                    : Decided.of(LargeDeadlockCheck.decide(net, limits));
+            decided = Decided.of(DeadlockCheck.decide(net, limits));
         } catch (ArithmeticException | OutOfMemoryError e) {
             decided = new Decided(Answer.UNKNOWN, e.toString());
         }
@@ -183,14 +180,6 @@ public final class CompareDeadlocks implements Callable<Integer> {
                 case DeadlockCheck.Proved proof -> new Decided(Answer.NO, proof.reason());
                 case DeadlockCheck.Unknown unknown ->
                     new Decided(Answer.UNKNOWN, unknown.end() + " after " + unknown.markings() + " markings");
-            };
-        }
-
-        static Decided of(LargeDeadlockCheck.Result result) {
-            return switch (result) {
-                case LargeDeadlockCheck.CanDeadlock found ->
-                    new Decided(Answer.YES, found.trace().size() + " firings");
-                case LargeDeadlockCheck.Unknown unknown -> new Decided(Answer.UNKNOWN, unknown.reason());
             };
         }
     }

@@ -18,7 +18,7 @@ import java.util.Map;
 final class BlockSearch {
     private final ReachabilityGraph graph;
     private final Exploration found;
-    private final int[] tokens;
+    private final long[] tokens;
     /** By transition: the places that it takes tokens from without returning any, and how many. */
     private final int[][] emptied;
 
@@ -33,7 +33,7 @@ final class BlockSearch {
             this.places = places;
         }
 
-        private boolean isMarked(int[] tokens) {
+        private boolean isMarked(long[] tokens) {
             for (var place = places.nextSetBit(0); place >= 0; place = places.nextSetBit(place + 1)) {
                 if (tokens[place] == 0) {
                     return false;
@@ -46,7 +46,7 @@ final class BlockSearch {
     BlockSearch(ReachabilityGraph graph) {
         this.graph = graph;
         found = graph.found();
-        tokens = new int[graph.net().places().size()];
+        tokens = new long[graph.net().places().size()];
         var taking = graph.net().transitions().stream()
                 .map(BlockSearch::withoutReturn)
                 .toList();

@@ -42,7 +42,7 @@ public final class DeadlockSearch {
     /**
      * Searches within {@code limits}.
      *
-     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     * @throws ArithmeticException if a place can hold more than {@link Long#MAX_VALUE} tokens
      */
     public static DeadlockSearch run(PetriNet net, SearchLimits limits) {
         return run(net, Symmetry.none(net), limits);
@@ -52,7 +52,7 @@ public final class DeadlockSearch {
      * Searches within {@code limits} for one dead marking of each orbit of {@code symmetry}; {@link #visitedMarkings}
      * and {@link #visitedEdges} are those of orbits.
      *
-     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     * @throws ArithmeticException if a place can hold more than {@link Long#MAX_VALUE} tokens
      */
     public static DeadlockSearch run(PetriNet net, Symmetry symmetry, SearchLimits limits) {
         return new DeadlockSearch(ReachabilityGraph.withoutEdges(net, new StubbornSets(net), symmetry, limits));
@@ -62,7 +62,7 @@ public final class DeadlockSearch {
      * Searches for any dead marking within {@code limits}, depth first. It is often found sooner than by {@link #run},
      * but its trace is not always a shortest one. The result is that of {@link #run} if there is none.
      *
-     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     * @throws ArithmeticException if a place can hold more than {@link Long#MAX_VALUE} tokens
      */
     public static First first(PetriNet net, SearchLimits limits) {
         return first(net, Symmetry.none(net), limits);

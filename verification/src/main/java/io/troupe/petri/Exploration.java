@@ -25,7 +25,7 @@ final class Exploration {
     final IntList edgeTransition = new IntList();
     final IntList edgeTarget = new IntList();
     final IntList dead = new IntList();
-    final int[] most;
+    final long[] most;
     final boolean[] fired;
     /** The markings whose successors are incomplete because of the limit. */
     private final BitSet open = new BitSet();
@@ -44,16 +44,14 @@ final class Exploration {
     private final SearchLimits limits;
     private final int maxMarkings;
     private final boolean keepsEdges;
-    private final Expansion expansion;
+    private final Chooser chooser;
+    private final TokenGame game;
+    private final CompiledNet compiled;
     final Symmetry symmetry;
     private final Symmetry.@Nullable Sorter sorter;
-    private final int[] unsorted;
+    private final long[] unsorted;
     private final int[] chosen;
-    /** By transition: the places to which it adds more tokens than it takes, and how many more. */
-    private final int[][] gains;
-
-    private final int[][] gainWeights;
-    private final int[] tokens;
+    private final long[] tokens;
     private long[][] packedChanges;
     private long[] successor;
 
@@ -61,27 +59,20 @@ final class Exploration {
      * Creates a search that stores one marking of each orbit of {@code symmetry} and the first way to it; with
      * {@code keepsEdges} it stores all edges too.
      */
-    Exploration(PetriNet net, Expansion expansion, Symmetry symmetry, SearchLimits limits, boolean keepsEdges) {
+    Exploration(PetriNet net, Chooser chooser, Symmetry symmetry, SearchLimits limits, boolean keepsEdges) {
         this.net = net;
-        this.expansion = expansion;
+        this.chooser = chooser;
+        game = new TokenGame(net);
+        compiled = net.compiled();
         this.symmetry = symmetry;
         sorter = symmetry.isTrivial() ? null : new Symmetry.Sorter(symmetry);
-        unsorted = new int[net.places().size()];
+        unsorted = new long[net.places().size()];
         this.limits = limits;
         this.keepsEdges = keepsEdges;
         maxMarkings = Math.min(limits.maxMarkings(), MarkingStore.MAX_SIZE);
         var transitions = net.transitions();
         chosen = new int[transitions.size()];
-        gains = new int[transitions.size()][];
-        gainWeights = new int[transitions.size()][];
-        for (var t : transitions) {
-            var growing = t.outputs().stream().filter(arc -> gain(t, arc) > 0).toList();
-            gains[t.index()] =
-                    growing.stream().mapToInt(arc -> arc.place().index()).toArray();
-            gainWeights[t.index()] =
-                    growing.stream().mapToInt(arc -> gain(t, arc)).toArray();
-        }
-        most = new int[net.places().size()];
+        most = new long[net.places().size()];
         fired = new boolean[transitions.size()];
         tokens = net.initialMarking().toArray();
         store = new MarkingStore(tokens.length, 1);
@@ -185,7 +176,8 @@ final class Exploration {
         if (keepsEdges) {
             edgeStart.add(edgeTarget.size());
         }
-        var count = expansion.choose(tokens, chosen);
+        game.moveTo(tokens);
+        var count = chooser.choose(game, chosen);
         for (var i = 0; i < count && end != SearchEnd.MEMORY; i++) {
             var t = chosen[i];
             fired[t] = true;
@@ -240,15 +232,17 @@ final class Exploration {
 
     /** The number of the marking that firing t leads to, or -1 if that marking is new and there is no room for it. */
     private int reach(int from, int t) {
-        var growing = gains[t];
-        for (var i = 0; i < growing.length; i++) {
-            var place = growing[i];
-            var held = Tokens.sum(tokens[place], gainWeights[t][i], net.places().get(place));
-            if (held > store.capacity() && !hasRoom(3 * store.bytesWith(1))) {
-                end = SearchEnd.MEMORY;
-                return -1;
+        var places = compiled.changed[t];
+        for (var i = 0; i < places.length; i++) {
+            var gain = compiled.changes[t][i];
+            if (gain > 0) {
+                var held = PetriNet.sum(tokens[places[i]], gain, net.places().get(places[i]));
+                if (held > store.capacity() && !hasRoom(3 * store.bytesWith(1))) {
+                    end = SearchEnd.MEMORY;
+                    return -1;
+                }
+                widenTo(held);
             }
-            widenTo(held);
         }
         store.plus(from, packedChanges[t], successor);
         if (sorter != null) {
@@ -265,7 +259,7 @@ final class Exploration {
         return store.add(successor);
     }
 
-    private void widenTo(int held) {
+    private void widenTo(long held) {
         if (held <= store.capacity()) {
             return;
         }
@@ -278,12 +272,5 @@ final class Exploration {
 
     private long[][] pack() {
         return net.transitions().stream().map(store::change).toArray(long[][]::new);
-    }
-
-    private static int gain(Transition transition, Arc output) {
-        var taken = transition.inputs().stream()
-                .filter(arc -> arc.place().equals(output.place()))
-                .findAny();
-        return output.weight() - taken.map(Arc::weight).orElse(0);
     }
 }

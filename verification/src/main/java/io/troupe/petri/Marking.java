@@ -2,7 +2,6 @@ package io.troupe.petri;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
 
 /**
@@ -15,16 +14,16 @@ import java.util.stream.Collectors;
  */
 public final class Marking {
     private final List<Place> places;
-    private final int[] tokens;
+    private final long[] tokens;
 
     /** Creates a marking that owns {@code tokens}, without a copy. */
-    Marking(List<Place> places, int[] tokens) {
+    Marking(List<Place> places, long[] tokens) {
         this.places = places;
         this.tokens = tokens;
     }
 
     /** The number of tokens on a place. */
-    public int tokens(Place place) {
+    public long tokens(Place place) {
         if (place.index() >= places.size() || !places.get(place.index()).equals(place)) {
             throw new IllegalArgumentException("place " + place + " is not of the net this marking belongs to");
         }
@@ -47,26 +46,7 @@ public final class Marking {
         return true;
     }
 
-    boolean holds(List<Arc> arcs) {
-        for (var arc : arcs) {
-            if (tokens[arc.place().index()] < arc.weight()) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    /** Whether a place holds as many tokens as the weight of one of these inhibitor arcs. */
-    boolean inhibits(List<Arc> arcs) {
-        for (var arc : arcs) {
-            if (tokens[arc.place().index()] >= arc.weight()) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    int[] toArray() {
+    long[] toArray() {
         return tokens.clone();
     }
 
@@ -89,13 +69,9 @@ public final class Marking {
     /** The marked places, for example <code>{P1, 2*M4}</code>. */
     @Override
     public String toString() {
-        return text(places, place -> tokens[place.index()]);
-    }
-
-    static String text(List<Place> places, ToLongFunction<Place> tokens) {
         return places.stream()
-                .filter(place -> tokens.applyAsLong(place) > 0)
-                .map(place -> (tokens.applyAsLong(place) > 1 ? tokens.applyAsLong(place) + "*" : "") + place)
+                .filter(place -> tokens[place.index()] > 0)
+                .map(place -> (tokens[place.index()] > 1 ? tokens[place.index()] + "*" : "") + place)
                 .collect(Collectors.joining(", ", "{", "}"));
     }
 }

@@ -32,8 +32,8 @@ final class MarkingStore {
     }
 
     /** The most tokens that a field can hold. */
-    int capacity() {
-        return bits == Integer.SIZE ? Integer.MAX_VALUE : (1 << bits) - 1;
+    long capacity() {
+        return bits == Long.SIZE ? Long.MAX_VALUE : (1L << bits) - 1;
     }
 
     int words() {
@@ -47,7 +47,7 @@ final class MarkingStore {
     /** A copy with the same numbers, and fields of twice the width. */
     MarkingStore widened() {
         var wider = new MarkingStore(places, bits * 2);
-        var tokens = new int[places];
+        var tokens = new long[places];
         for (var id = 0; id < size; id++) {
             read(id, tokens);
             wider.add(wider.pack(tokens));
@@ -55,16 +55,16 @@ final class MarkingStore {
         return wider;
     }
 
-    long[] pack(int[] tokens) {
+    long[] pack(long[] tokens) {
         var packed = new long[words];
         pack(tokens, packed);
         return packed;
     }
 
-    void pack(int[] tokens, long[] packed) {
+    void pack(long[] tokens, long[] packed) {
         Arrays.fill(packed, 0);
         for (var place = 0; place < places; place++) {
-            packed[word(place)] += (long) tokens[place] << shift(place);
+            packed[word(place)] += tokens[place] << shift(place);
         }
     }
 
@@ -82,18 +82,18 @@ final class MarkingStore {
         return packed;
     }
 
-    void read(int id, int[] tokens) {
+    void read(int id, long[] tokens) {
         unpack(chunks.get(id >>> CHUNK_BITS), offset(id), tokens);
     }
 
-    void unpack(long[] packed, int[] tokens) {
+    void unpack(long[] packed, long[] tokens) {
         unpack(packed, 0, tokens);
     }
 
-    private void unpack(long[] packed, int start, int[] tokens) {
+    private void unpack(long[] packed, int start, long[] tokens) {
         var mask = capacity();
         for (var place = 0; place < places; place++) {
-            tokens[place] = (int) (packed[start + word(place)] >>> shift(place)) & mask;
+            tokens[place] = packed[start + word(place)] >>> shift(place) & mask;
         }
     }
 

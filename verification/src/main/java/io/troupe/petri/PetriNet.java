@@ -27,7 +27,7 @@ public final class PetriNet {
     private final String name;
     private final List<Place> places;
     private final List<Transition> transitions;
-    private final boolean isPrioritised;
+    private volatile @Nullable CompiledNet compiled;
     private final Map<String, Place> placesByName = new LinkedHashMap<>();
     private final Map<String, Transition> transitionsByName = new LinkedHashMap<>();
 
@@ -35,8 +35,6 @@ public final class PetriNet {
         this.name = name;
         this.places = List.copyOf(places);
         this.transitions = List.copyOf(transitions);
-        isPrioritised =
-                transitions.stream().mapToInt(Transition::priority).distinct().count() > 1;
         places.forEach(place -> placesByName.put(place.name(), place));
         transitions.forEach(transition -> transitionsByName.put(transition.name(), transition));
     }
@@ -82,8 +80,18 @@ public final class PetriNet {
     }
 
     /** Whether two transitions have different priorities. */
-    boolean isPrioritised() {
-        return isPrioritised;
+    public boolean isPrioritised() {
+        return compiled().isPrioritised;
+    }
+
+    /** The net as arrays; made when it is first needed. */
+    CompiledNet compiled() {
+        var known = compiled;
+        if (known == null) {
+            known = new CompiledNet(places, transitions);
+            compiled = known;
+        }
+        return known;
     }
 
     public Place place(String placeName) {
@@ -103,12 +111,12 @@ public final class PetriNet {
     }
 
     public Marking initialMarking() {
-        return new Marking(places, places.stream().mapToInt(Place::tokens).toArray());
+        return new Marking(places, places.stream().mapToLong(Place::tokens).toArray());
     }
 
     /** The marking with one token for each given name; a name given twice counts twice. */
     public Marking marking(String... placeNames) {
-        var tokens = new int[places.size()];
+        var tokens = new long[places.size()];
         for (var placeName : placeNames) {
             tokens[place(placeName).index()]++;
         }
@@ -121,19 +129,20 @@ public final class PetriNet {
      */
     public List<Transition> enabled(Marking marking) {
         marking.requirePlaces(places, name);
+        var tokens = marking.toArray();
         var ready = transitions.stream()
-                .filter(t -> marking.holds(t.inputs()) && !marking.inhibits(t.inhibitors()))
+                .filter(t -> compiled().unmet(tokens, t.index()) == 0)
                 .toList();
         var top = ready.stream().mapToInt(Transition::priority).max().orElse(0);
         return ready.stream().filter(t -> t.priority() == top).toList();
     }
 
     private boolean mayFire(Marking marking, Transition transition) {
-        if (isPrioritised) {
+        if (isPrioritised()) {
             return enabled(marking).contains(transition);
         }
         marking.requirePlaces(places, name);
-        return marking.holds(transition.inputs()) && !marking.inhibits(transition.inhibitors());
+        return compiled().unmet(marking.toArray(), transition.index()) == 0;
     }
 
     /**
@@ -141,7 +150,7 @@ public final class PetriNet {
      *
      * @throws IllegalStateException if the transition is not enabled; the message names the missing tokens or the
      *     transition of higher priority
-     * @throws ArithmeticException if a place would hold more than {@link Integer#MAX_VALUE} tokens
+     * @throws ArithmeticException if a place would hold more than {@link Long#MAX_VALUE} tokens
      */
     public Marking fire(Marking marking, Transition transition) {
         if (!transition.equals(transitionsByName.get(transition.name()))) {
@@ -154,9 +163,17 @@ public final class PetriNet {
         transition.inputs().forEach(arc -> tokens[arc.place().index()] -= arc.weight());
         for (var arc : transition.outputs()) {
             var place = arc.place().index();
-            tokens[place] = Tokens.sum(tokens[place], arc.weight(), arc.place());
+            tokens[place] = sum(tokens[place], arc.weight(), arc.place());
         }
         return new Marking(places, tokens);
+    }
+
+    /** The sum of tokens on a place, which throws if it is too large. */
+    static long sum(long held, long more, Place place) {
+        if (held > Long.MAX_VALUE - more) {
+            throw new ArithmeticException("place " + place + " would hold more than " + Long.MAX_VALUE + " tokens");
+        }
+        return held + more;
     }
 
     /** The marking after all firings of {@code sequence}, in order. */

@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class PetriNetBuilder {
     private final String name;
-    private final Map<String, Integer> places = new LinkedHashMap<>();
+    private final Map<String, Long> places = new LinkedHashMap<>();
     private final Map<String, Draft> transitions = new LinkedHashMap<>();
 
     /** A transition that is being built: weights by the name of the place. */
@@ -41,7 +41,7 @@ public final class PetriNetBuilder {
     }
 
     /** Adds a place that holds {@code tokens} (0 or more) in the initial marking. */
-    public PetriNetBuilder place(String placeName, int tokens) {
+    public PetriNetBuilder place(String placeName, long tokens) {
         requireNew(placeName);
         require(tokens >= 0, "place " + placeName + " has " + tokens + " tokens, expected 0 or more");
         places.put(placeName, tokens);

@@ -9,7 +9,7 @@ import static java.util.Objects.requireNonNull;
  * @param name unique among the places and transitions of the net
  * @param tokens its tokens in the initial marking
  */
-public record Place(int index, String name, int tokens) {
+public record Place(int index, String name, long tokens) {
     public Place {
         requireNonNull(name, "name");
     }

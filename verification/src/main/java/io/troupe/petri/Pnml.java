@@ -30,7 +30,7 @@ import javax.xml.stream.XMLStreamException;
  *
  * <p><b>Errors.</b> Any other document throws {@link PnmlException} with the line and the reason. So do a document type
  * declaration, since nothing outside the document is ever read, and every element and attribute that could change the
- * meaning of the net, such as a reset arc, and a place with more tokens than an int, except in {@link #readLarge}.
+ * meaning of the net, such as a reset arc.
  *
  * <p><b>Source.</b> ISO/IEC 15909-2, grammar of 2009.
  */
@@ -55,24 +55,10 @@ public final class Pnml {
      * @param warnings called with {@code file:line: reason}, once for each kind of deviation from the standard
      */
     public static PetriNet read(Path file, Consumer<String> warnings) {
-        return read(file, Integer.MAX_VALUE, warnings).net();
-    }
-
-    /**
-     * Reads a file whose places may hold up to {@link Long#MAX_VALUE} tokens. The large places of the result are those
-     * with more than {@link Integer#MAX_VALUE}, often none.
-     *
-     * @param warnings called with {@code file:line: reason}, once for each kind of deviation from the standard
-     */
-    public static LargeNet readLarge(Path file, Consumer<String> warnings) {
-        return read(file, Long.MAX_VALUE, warnings);
-    }
-
-    private static LargeNet read(Path file, long maxTokens, Consumer<String> warnings) {
         requireNonNull(warnings, "warnings");
         var source = file.toString();
         try (var in = new BufferedInputStream(Files.newInputStream(file))) {
-            return new PnmlReader(source, PnmlReader.open(in), maxTokens, warnings).read();
+            return new PnmlReader(source, PnmlReader.open(in), warnings).read();
         } catch (XMLStreamException e) {
             throw PnmlReader.malformed(source, e);
         } catch (IOException e) {
@@ -95,9 +81,7 @@ public final class Pnml {
         requireNonNull(source, "source");
         requireNonNull(warnings, "warnings");
         try {
-            return new PnmlReader(source, PnmlReader.open(new StringReader(text)), Integer.MAX_VALUE, warnings)
-                    .read()
-                    .net();
+            return new PnmlReader(source, PnmlReader.open(new StringReader(text)), warnings).read();
         } catch (XMLStreamException e) {
             throw PnmlReader.malformed(source, e);
         }

@@ -55,13 +55,13 @@ final class PnmlDocument {
         return nodes.containsKey(id) || references.containsKey(id);
     }
 
-    LargeNet build(String name) {
+    PetriNet build(String name) {
         var net = at(0, () -> PetriNet.builder(name));
         var byLabel = nodes.values().stream().map(Node::label).distinct().count() == nodes.size();
         for (var node : nodes.values()) {
             var called = byLabel ? node.label() : node.id();
             if (node.kind() == Kind.PLACE) {
-                at(node.line(), () -> net.place(called, (int) Math.min(node.value(), Integer.MAX_VALUE)));
+                at(node.line(), () -> net.place(called, node.value()));
             } else {
                 at(node.line(), () -> net.transition(called).priority(called, (int) node.value()));
             }
@@ -96,12 +96,7 @@ final class PnmlDocument {
         }
         weights.forEach((ends, weight) -> at(lines.get(ends), () -> net.arc(ends.from(), ends.to(), weight)));
         inhibitors.forEach((ends, weight) -> net.inhibitor(ends.from(), ends.to(), weight));
-        var built = net.build();
-        var large = new HashMap<Place, Long>();
-        nodes.values().stream()
-                .filter(node -> node.value() > Integer.MAX_VALUE)
-                .forEach(node -> large.put(built.place(byLabel ? node.label() : node.id()), node.value()));
-        return LargeNet.of(built, large);
+        return net.build();
     }
 
     /** The place or transition that an arc refers to, directly or through reference nodes. */

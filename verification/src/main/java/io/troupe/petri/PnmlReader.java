@@ -40,7 +40,6 @@ final class PnmlReader {
 
     private final String source;
     private final XMLStreamReader xml;
-    private final long maxTokens;
     private final Consumer<String> warnings;
     private final Set<String> warned = new HashSet<>();
     private final PnmlDocument document;
@@ -59,15 +58,9 @@ final class PnmlReader {
 
     private @Nullable String netName;
 
-    /**
-     * Creates a reader of one document.
-     *
-     * @param maxTokens a place that holds more of them is rejected
-     */
-    PnmlReader(String source, XMLStreamReader xml, long maxTokens, Consumer<String> warnings) {
+    PnmlReader(String source, XMLStreamReader xml, Consumer<String> warnings) {
         this.source = source;
         this.xml = xml;
-        this.maxTokens = maxTokens;
         this.warnings = warnings;
         this.document = new PnmlDocument(source);
     }
@@ -114,7 +107,7 @@ final class PnmlReader {
         return new PnmlException(source, at, reason.replaceFirst("^Message: ", ""), e);
     }
 
-    LargeNet read() {
+    PetriNet read() {
         try {
             while (xml.next() != XMLStreamConstants.START_ELEMENT) {
                 if (xml.getEventType() == XMLStreamConstants.DTD) {
@@ -263,7 +256,7 @@ final class PnmlReader {
             } else if (element.equals("name")) {
                 label = orElse(text(), id);
             } else if (element.equals("initialMarking") && kind == Kind.PLACE) {
-                value = tokens(plain(number(element)), "the initial marking of place " + id);
+                value = number(plain(number(element)), 0, Long.MAX_VALUE, "the initial marking of place " + id);
             } else if (kind == Kind.PLACE && (element.equals("capacity") || element.equals("tagged"))
                     || kind == Kind.TRANSITION && element.equals("infiniteServer")) {
                 requireNeutral(element, text(), what);
@@ -511,16 +504,11 @@ final class PnmlReader {
         return text != null && text.startsWith(colour + ",") ? text.substring(colour.length() + 1) : text;
     }
 
-    private long tokens(@Nullable String text, String what) {
-        var most = maxTokens + (maxTokens < Long.MAX_VALUE ? "; Pnml.readLarge reads more" : "");
-        return number(text, 0, maxTokens, "from 0 to " + most, what);
-    }
-
     private int number(@Nullable String text, int least, String what) {
-        return (int) number(text, least, Integer.MAX_VALUE, "from " + least + " to " + Integer.MAX_VALUE, what);
+        return (int) number(text, least, Integer.MAX_VALUE, what);
     }
 
-    private long number(@Nullable String text, long least, long most, String range, String what) {
+    private long number(@Nullable String text, long least, long most, String what) {
         var digits = orEmpty(text).strip();
         if (WHOLE_NUMBER.matcher(digits).matches()) {
             var number = new BigInteger(digits);
@@ -528,7 +516,7 @@ final class PnmlReader {
                 return number.longValue();
             }
         }
-        throw bad(what + " is \"" + orEmpty(text) + "\", expected a whole number " + range);
+        throw bad(what + " is \"" + orEmpty(text) + "\", expected a whole number from " + least + " to " + most);
     }
 
     private String newId() {

@@ -55,16 +55,16 @@ public final class ProgressSearch {
     /**
      * Searches within {@code limits}, which apply to each round in which loops are enlarged.
      *
-     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     * @throws ArithmeticException if a place can hold more than {@link Long#MAX_VALUE} tokens
      */
     public static ProgressSearch run(PetriNet net, SearchLimits limits) {
         var sets = new FairStubbornSets(net);
-        var rules = new FiringRules(net);
+        var game = new TokenGame(net);
         var graph = ReachabilityGraph.explore(net, sets, limits);
         for (var round = 1; graph.isComplete() && round < MAX_ROUNDS; round++) {
             var components = Liveness.of(graph).terminalComponents();
             var closed = components.stream()
-                    .filter(component -> ignoresOthers(component, net, rules))
+                    .filter(component -> ignoresOthers(component, net, game))
                     .toList();
             if (closed.isEmpty()) {
                 return new ProgressSearch(graph, SearchEnd.COMPLETE, losses(components));
@@ -79,9 +79,10 @@ public final class ProgressSearch {
      * A transition that is ready outside a loop of stubborn sets stays ready in the whole loop, so one marking is
      * enough.
      */
-    private static boolean ignoresOthers(TerminalComponent component, PetriNet net, FiringRules rules) {
+    private static boolean ignoresOthers(TerminalComponent component, PetriNet net, TokenGame game) {
         var ready = new int[net.transitions().size()];
-        var count = rules.choose(component.entry().marking().toArray(), ready);
+        game.moveTo(component.entry().marking().toArray());
+        var count = game.enabled(ready);
         for (var i = 0; i < count; i++) {
             if (!component.fires(net.transitions().get(ready[i]))) {
                 return true;
@@ -148,14 +149,14 @@ public final class ProgressSearch {
      * Stubborn sets that are enlarged where a reduced search would follow a loop for ever and ignore transitions that
      * are ready outside it (the ignoring problem).
      */
-    private static final class FairStubbornSets implements Expansion {
+    private static final class FairStubbornSets implements Chooser {
         /**
          * The transitions of a loop, and the tokens on its places at which the search also follows other transitions.
          */
-        private record Loop(boolean[] transitions, int[] places, int[] tokens) {
-            boolean passes(int[] now) {
+        private record Loop(boolean[] transitions, int[] places, long[] tokens) {
+            boolean passes(TokenGame now) {
                 for (var i = 0; i < places.length; i++) {
-                    if (now[places[i]] != tokens[i]) {
+                    if (now.tokens(places[i]) != tokens[i]) {
                         return false;
                     }
                 }
@@ -192,7 +193,7 @@ public final class ProgressSearch {
                     .filter(place -> around[place])
                     .toArray();
             var entry = component.entry().marking().toArray();
-            var tokens = new int[places.length];
+            var tokens = new long[places.length];
             for (var i = 0; i < places.length; i++) {
                 tokens[i] = entry[places[i]];
             }
@@ -200,11 +201,11 @@ public final class ProgressSearch {
         }
 
         @Override
-        public int choose(int[] tokens, int[] chosen) {
-            var count = sets.choose(tokens, chosen);
+        public int choose(TokenGame game, int[] chosen) {
+            var count = sets.choose(game, chosen);
             for (var loop : loops) {
-                if (loop.passes(tokens)) {
-                    count = sets.widen(tokens, chosen, count, loop.transitions());
+                if (loop.passes(game)) {
+                    count = sets.widen(game, chosen, count, loop.transitions());
                 }
             }
             return count;

@@ -43,7 +43,7 @@ public final class ReachabilityGraph {
     /**
      * Explores up to {@code maxMarkings} (1 or more) markings.
      *
-     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     * @throws ArithmeticException if a place can hold more than {@link Long#MAX_VALUE} tokens
      */
     public static ReachabilityGraph explore(PetriNet net, int maxMarkings) {
         return explore(net, SearchLimits.markings(maxMarkings));
@@ -52,20 +52,20 @@ public final class ReachabilityGraph {
     /**
      * Explores within {@code limits}.
      *
-     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     * @throws ArithmeticException if a place can hold more than {@link Long#MAX_VALUE} tokens
      */
     public static ReachabilityGraph explore(PetriNet net, SearchLimits limits) {
-        return explore(net, new FiringRules(net), limits);
+        return explore(net, Chooser.ALL, limits);
     }
 
     /**
      * Explores within {@code limits} without storing the edges, which are most of the memory of a large graph.
      * Successors are computed by firing, each time they are read. {@link Liveness} needs stored edges.
      *
-     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     * @throws ArithmeticException if a place can hold more than {@link Long#MAX_VALUE} tokens
      */
     public static ReachabilityGraph exploreMarkings(PetriNet net, SearchLimits limits) {
-        return withoutEdges(net, new FiringRules(net), Symmetry.none(net), limits);
+        return withoutEdges(net, Chooser.ALL, Symmetry.none(net), limits);
     }
 
     /**
@@ -76,39 +76,39 @@ public final class ReachabilityGraph {
      * those of the net. Questions about one of the equal parts need {@link Symmetry#fixing}; {@link Liveness} refuses
      * this graph.
      *
-     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     * @throws ArithmeticException if a place can hold more than {@link Long#MAX_VALUE} tokens
      */
     public static ReachabilityGraph explore(PetriNet net, Symmetry symmetry, SearchLimits limits) {
-        return explore(net, new FiringRules(net), symmetry, limits, true);
+        return explore(net, Chooser.ALL, symmetry, limits, true);
     }
 
     /**
      * Explores as {@link #explore(PetriNet, Symmetry, SearchLimits)} does, without storing the edges.
      *
-     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     * @throws ArithmeticException if a place can hold more than {@link Long#MAX_VALUE} tokens
      */
     public static ReachabilityGraph exploreMarkings(PetriNet net, Symmetry symmetry, SearchLimits limits) {
-        return withoutEdges(net, new FiringRules(net), symmetry, limits);
+        return withoutEdges(net, Chooser.ALL, symmetry, limits);
     }
 
-    static ReachabilityGraph explore(PetriNet net, Expansion expansion, SearchLimits limits) {
-        return explore(net, expansion, Symmetry.none(net), limits, true);
+    static ReachabilityGraph explore(PetriNet net, Chooser chooser, SearchLimits limits) {
+        return explore(net, chooser, Symmetry.none(net), limits, true);
     }
 
-    static ReachabilityGraph withoutEdges(PetriNet net, Expansion expansion, Symmetry symmetry, SearchLimits limits) {
-        return explore(net, expansion, symmetry, limits, false);
+    static ReachabilityGraph withoutEdges(PetriNet net, Chooser chooser, Symmetry symmetry, SearchLimits limits) {
+        return explore(net, chooser, symmetry, limits, false);
     }
 
     /** Ends at the first dead marking; its trace is not always a shortest one. */
-    static ReachabilityGraph toFirstDead(PetriNet net, Expansion expansion, Symmetry symmetry, SearchLimits limits) {
-        var exploration = new Exploration(net, expansion, requireOf(net, symmetry), limits, false);
+    static ReachabilityGraph toFirstDead(PetriNet net, Chooser chooser, Symmetry symmetry, SearchLimits limits) {
+        var exploration = new Exploration(net, chooser, requireOf(net, symmetry), limits, false);
         exploration.runToFirstDead();
         return new ReachabilityGraph(exploration);
     }
 
     static ReachabilityGraph explore(
-            PetriNet net, Expansion expansion, Symmetry symmetry, SearchLimits limits, boolean keepsEdges) {
-        var exploration = new Exploration(net, expansion, requireOf(net, symmetry), limits, keepsEdges);
+            PetriNet net, Chooser chooser, Symmetry symmetry, SearchLimits limits, boolean keepsEdges) {
+        var exploration = new Exploration(net, chooser, requireOf(net, symmetry), limits, keepsEdges);
         exploration.run();
         return new ReachabilityGraph(exploration);
     }
@@ -155,8 +155,8 @@ public final class ReachabilityGraph {
             return found.symmetry.trace(length, i -> tokens(i == 0 ? 0 : way.get(length - i)), fired);
         }
 
-        private int[] tokens(int id) {
-            var tokens = new int[net().places().size()];
+        private long[] tokens(int id) {
+            var tokens = new long[net().places().size()];
             found.store.read(id, tokens);
             return tokens;
         }
@@ -305,16 +305,16 @@ public final class ReachabilityGraph {
      * The largest number of tokens found on a place. In a complete graph this is its bound; otherwise the bound may be
      * higher.
      */
-    public int mostTokens(Place place) {
+    public long mostTokens(Place place) {
         if (!net().places().contains(place)) {
             throw new IllegalArgumentException("place " + place + " is not of net " + net().name());
         }
         return most(place);
     }
 
-    private int most(Place place) {
+    private long most(Place place) {
         return found.symmetry.orbit(place).stream()
-                .mapToInt(each -> found.most[each.index()])
+                .mapToLong(each -> found.most[each.index()])
                 .max()
                 .orElseThrow();
     }
@@ -323,7 +323,7 @@ public final class ReachabilityGraph {
      * The largest number of tokens found on any place, 1 for a safe net; if the graph is incomplete, the bound may be
      * higher.
      */
-    public int mostTokens() {
+    public long mostTokens() {
         return Arrays.stream(found.most).max().orElse(0);
     }
 

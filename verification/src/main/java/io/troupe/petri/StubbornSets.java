@@ -25,8 +25,8 @@ import org.jspecify.annotations.Nullable;
  * <p>The set is computed from each ready transition, and the one with the fewest ready members is used. With
  * priorities, firings outside the set have further effects; then there is no reduction.
  */
-final class StubbornSets implements Expansion {
-    private final FiringRules rules;
+final class StubbornSets implements Chooser {
+    private final CompiledNet rules;
     /** By transition: the transitions that may disable it, or that it may disable. */
     private final int[][] rivals;
     /** By place: the transitions that put more tokens on it than they take. */
@@ -37,13 +37,12 @@ final class StubbornSets implements Expansion {
     private final int[] ready;
     private final int[] members;
     private final int[] readyMembers;
-    private final boolean[] isReady;
     private final boolean[] isMember;
     private int size;
     private int readyCount;
 
     StubbornSets(PetriNet net) {
-        rules = new FiringRules(net);
+        rules = net.compiled();
         var transitions = net.transitions();
         var users = lists(net);
         var puts = lists(net);
@@ -71,7 +70,6 @@ final class StubbornSets implements Expansion {
         ready = new int[transitions.size()];
         members = new int[transitions.size()];
         readyMembers = new int[transitions.size()];
-        isReady = new boolean[transitions.size()];
         isMember = new boolean[transitions.size()];
     }
 
@@ -123,20 +121,16 @@ final class StubbornSets implements Expansion {
     }
 
     @Override
-    public int choose(int[] tokens, int[] chosen) {
-        var count = rules.choose(tokens, ready);
+    public int choose(TokenGame game, int[] chosen) {
+        var count = ALL.choose(game, ready);
         readyCount = count;
-        if (rules.isPrioritised() || count <= 1) {
+        if (rules.isPrioritised || count <= 1) {
             System.arraycopy(ready, 0, chosen, 0, count);
             return count;
         }
-        Arrays.fill(isReady, false);
-        for (var i = 0; i < count; i++) {
-            isReady[ready[i]] = true;
-        }
         var fewest = Integer.MAX_VALUE;
         for (var i = 0; i < count && fewest > 1; i++) {
-            var closed = close(ready[i], tokens, fewest);
+            var closed = close(ready[i], game, fewest);
             if (closed < fewest) {
                 fewest = closed;
                 System.arraycopy(readyMembers, 0, chosen, 0, closed);
@@ -150,8 +144,8 @@ final class StubbornSets implements Expansion {
      * Called after {@link #choose}. If only transitions of {@code looping} were chosen, adds the smallest stubborn set
      * with a ready transition outside of {@code looping}, if there is one. The union of stubborn sets is stubborn.
      */
-    int widen(int[] tokens, int[] chosen, int count, boolean[] looping) {
-        if (rules.isPrioritised() || count == readyCount) {
+    int widen(TokenGame game, int[] chosen, int count, boolean[] looping) {
+        if (rules.isPrioritised || count == readyCount) {
             return count;
         }
         for (var i = 0; i < count; i++) {
@@ -162,7 +156,7 @@ final class StubbornSets implements Expansion {
         var added = new int[0];
         for (var i = 0; i < readyCount; i++) {
             if (!looping[ready[i]]) {
-                var closed = close(ready[i], tokens, added.length == 0 ? Integer.MAX_VALUE : added.length);
+                var closed = close(ready[i], game, added.length == 0 ? Integer.MAX_VALUE : added.length);
                 added = added.length == 0 || closed < added.length ? Arrays.copyOf(readyMembers, closed) : added;
             }
         }
@@ -175,21 +169,21 @@ final class StubbornSets implements Expansion {
     }
 
     /** Fills {@code readyMembers} from the closure of {@code start}; gives up once there are {@code enough} of them. */
-    private int close(int start, int[] tokens, int enough) {
+    private int close(int start, TokenGame game, int enough) {
         Arrays.fill(isMember, false);
         size = 0;
         add(start);
         var found = 0;
         for (var i = 0; i < size; i++) {
             var t = members[i];
-            if (isReady[t]) {
+            if (game.isReady(t)) {
                 readyMembers[found++] = t;
                 if (found >= enough) {
                     return found;
                 }
                 add(rivals[t]);
             } else {
-                add(enablers(t, tokens));
+                add(enablers(t, game));
             }
         }
         return found;
@@ -198,19 +192,19 @@ final class StubbornSets implements Expansion {
     /**
      * The transitions that can remove one reason why t is not ready: of all reasons, the one that adds fewest members.
      */
-    private int[] enablers(int t, int[] tokens) {
+    private int[] enablers(int t, TokenGame game) {
         int @Nullable [] best = null;
         var fewest = Integer.MAX_VALUE;
         for (var i = 0; i < rules.inputs[t].length; i++) {
             var place = rules.inputs[t][i];
-            if (tokens[place] < rules.inputWeights[t][i] && added(feeders[place]) < fewest) {
+            if (game.tokens(place) < rules.inputWeights[t][i] && added(feeders[place]) < fewest) {
                 best = feeders[place];
                 fewest = added(best);
             }
         }
         for (var i = 0; i < rules.inhibitors[t].length; i++) {
             var place = rules.inhibitors[t][i];
-            if (tokens[place] >= rules.inhibitorWeights[t][i] && added(drainers[place]) < fewest) {
+            if (game.tokens(place) >= rules.inhibitorWeights[t][i] && added(drainers[place]) < fewest) {
                 best = drainers[place];
                 fewest = added(best);
             }

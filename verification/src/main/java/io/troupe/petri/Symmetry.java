@@ -291,15 +291,15 @@ public final class Symmetry {
         /** By group: the number of the block that came to each position. */
         private final int[][] order;
 
-        private final int[] copy;
+        private final long[] copy;
 
         Sorter(Symmetry symmetry) {
             blocks = symmetry.blocks;
             order = Arrays.stream(blocks).map(group -> new int[group.length]).toArray(int[][]::new);
-            copy = new int[symmetry.net.places().size()];
+            copy = new long[symmetry.net.places().size()];
         }
 
-        void sort(int[] tokens) {
+        void sort(long[] tokens) {
             for (var g = 0; g < blocks.length; g++) {
                 if (findOrder(blocks[g], order[g], tokens)) {
                     System.arraycopy(tokens, 0, copy, 0, tokens.length);
@@ -309,7 +309,7 @@ public final class Symmetry {
         }
 
         /** By insertion, because a firing changes few blocks of a sorted marking; true if the order changes. */
-        private static boolean findOrder(int[][] group, int[] order, int[] tokens) {
+        private static boolean findOrder(int[][] group, int[] order, long[] tokens) {
             var isMoved = false;
             for (var i = 0; i < group.length; i++) {
                 var at = i;
@@ -323,17 +323,16 @@ public final class Symmetry {
             return isMoved;
         }
 
-        private static boolean isGreater(int[] one, int[] other, int[] tokens) {
+        private static boolean isGreater(int[] one, int[] other, long[] tokens) {
             for (var i = 0; i < one.length; i++) {
-                var difference = tokens[one[i]] - tokens[other[i]];
-                if (difference != 0) {
-                    return difference > 0;
+                if (tokens[one[i]] != tokens[other[i]]) {
+                    return tokens[one[i]] > tokens[other[i]];
                 }
             }
             return false;
         }
 
-        private static void move(int[][] group, int[] order, int[] from, int[] to) {
+        private static void move(int[][] group, int[] order, long[] from, long[] to) {
             for (var k = 0; k < group.length; k++) {
                 for (var j = 0; j < group[k].length; j++) {
                     to[group[k][j]] = from[group[order[k]][j]];
@@ -343,11 +342,11 @@ public final class Symmetry {
 
         /** Changes {@code places}, the place to which each place is moved, so that the last sorting comes first. */
         private void before(int[] places) {
-            System.arraycopy(places, 0, copy, 0, places.length);
+            var old = places.clone();
             for (var g = 0; g < blocks.length; g++) {
                 for (var k = 0; k < blocks[g].length; k++) {
                     for (var j = 0; j < blocks[g][k].length; j++) {
-                        places[blocks[g][order[g][k]][j]] = copy[blocks[g][k][j]];
+                        places[blocks[g][order[g][k]][j]] = old[blocks[g][k][j]];
                     }
                 }
             }
@@ -362,7 +361,7 @@ public final class Symmetry {
      * @param before the sorted marking before a firing, by its number from 0
      * @param fired the transition that the search fired in it
      */
-    List<Transition> trace(int length, IntFunction<int[]> before, IntUnaryOperator fired) {
+    List<Transition> trace(int length, IntFunction<long[]> before, IntUnaryOperator fired) {
         var sorter = new Sorter(this);
         var moved = new int[net.places().size()];
         Arrays.setAll(moved, place -> place);

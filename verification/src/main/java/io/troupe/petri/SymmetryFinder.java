@@ -63,13 +63,13 @@ final class SymmetryFinder {
                 .toArray(long[][]::new);
         colours = new int[size];
         sums = new long[size];
-        var first = new TreeMap<List<Integer>, IntList>(
-                Comparator.comparing((List<Integer> key) -> key.get(0)).thenComparing(key -> key.get(1)));
+        var first = new TreeMap<List<Long>, IntList>(
+                Comparator.comparing((List<Long> key) -> key.get(0)).thenComparing(key -> key.get(1)));
         net.places()
-                .forEach(place -> first.computeIfAbsent(List.of(0, place.tokens()), key -> new IntList(4))
+                .forEach(place -> first.computeIfAbsent(List.of(0L, place.tokens()), key -> new IntList(4))
                         .add(place.index()));
         net.transitions()
-                .forEach(t -> first.computeIfAbsent(List.of(1, t.priority()), key -> new IntList(4))
+                .forEach(t -> first.computeIfAbsent(List.of(1L, (long) t.priority()), key -> new IntList(4))
                         .add(places + t.index()));
         first.values().forEach(this::newColour);
         refine(Integer.MAX_VALUE);

@@ -93,8 +93,8 @@ class InhibitorTest {
     }
 
     /** A search that shares no code with the main code: markings as lists, and enabling spelled out. */
-    private static Map<List<Integer>, Set<Integer>> bruteForce(PetriNet net, int limit) {
-        var edges = new HashMap<List<Integer>, Set<Integer>>();
+    private static Map<List<Long>, Set<Integer>> bruteForce(PetriNet net, int limit) {
+        var edges = new HashMap<List<Long>, Set<Integer>>();
         var first = net.places().stream().map(Place::tokens).toList();
         var queue = new ArrayDeque<>(List.of(first));
         edges.put(first, new HashSet<>());
@@ -126,7 +126,7 @@ class InhibitorTest {
         return edges;
     }
 
-    private static List<Integer> list(Marking marking) {
+    private static List<Long> list(Marking marking) {
         return Arrays.stream(marking.toArray()).boxed().toList();
     }
 

@@ -12,11 +12,11 @@ class MarkingStoreTest {
 
     /** Of as many random slots as there are markings, 1 - 1/e differ: 647. */
     @ParameterizedTest
-    @ValueSource(ints = {16, 32})
+    @ValueSource(ints = {16, 32, 64})
     void markings_thatDifferOnOnePlace_haveDifferentSlots(int bits) {
         var store = new MarkingStore(PLACES, bits);
         for (var place = 0; place < PLACES; place++) {
-            var tokens = new int[PLACES];
+            var tokens = new long[PLACES];
             var marked = place;
             var slots = IntStream.range(0, MARKINGS).map(count -> {
                 tokens[marked] = count;

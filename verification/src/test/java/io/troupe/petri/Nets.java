@@ -40,7 +40,7 @@ public final class Nets {
         var net = PetriNet.builder(name);
         for (var place : words(places)) {
             var parts = place.split("=");
-            net.place(parts[0], parts.length == 1 ? 0 : Integer.parseInt(parts[1]));
+            net.place(parts[0], parts.length == 1 ? 0 : Long.parseLong(parts[1]));
         }
         for (var transition : transitions) {
             var parts = transition.split(" *[:>]", -1);

@@ -102,9 +102,9 @@ class PnmlTest {
             <place id='p'/>~<place id='p'/> | 3 | id p is used twice
             <place/> | 2 | <place> has no id
             ~<place id='p'><initialMarking><text>-1</text></initialMarking></place> | 3 | \
-            the initial marking of place p is "-1", expected a whole number from 0 to 2147483647
-            <place id='p'><initialMarking><text>99999999999</text></initialMarking></place> | 2 | \
-            is "99999999999", expected a whole number from 0 to 2147483647; Pnml.readLarge reads more
+            the initial marking of place p is "-1", expected a whole number from 0 to 9223372036854775807
+            <place id='p'><initialMarking><text>99999999999999999999</text></initialMarking></place> | 2 | \
+            is "99999999999999999999", expected a whole number from 0 to 9223372036854775807
             <place id='p'><initialMarking/></place> | 2 | the initial marking of place p is ""
             <place id='p'/><transition id='t'/>~<arc id='a' source='p' target='t'>~\
             <inscription><text>0</text></inscription></arc> | 4 | \
@@ -168,9 +168,9 @@ class PnmlTest {
             <place id='p'/><transition id='t'/>\
             <arc id='a' source='p' target='t'><name><text>3</text></name></arc> | \
             x:2: arc a is called "3" and has no <inscription>, expected one if that is its weight
-            <place id='p'><initialMarking><text>4000000000</text></initialMarking></place> | \
-            x:2: the initial marking of place p is "4000000000", expected a whole number from 0 to 2147483647; \
-            Pnml.readLarge reads more
+            <place id='p'><initialMarking><text>9223372036854775808</text></initialMarking></place> | \
+            x:2: the initial marking of place p is "9223372036854775808", \
+            expected a whole number from 0 to 9223372036854775807
             <place id='p'/>~<referencePlace id='r' ref='gone'/> | \
             x:3: there is no place or transition with id gone
             <referencePlace id='r' ref='s'/>~<referencePlace id='s' ref='r'/> | x:2: reference r refers to itself

@@ -43,10 +43,10 @@ class SearchTest {
     void tokens_beyondOneBitPerPlace_areCountedExactly() {
         for (var n : List.of(1, 2, 3, 4, 15, 16, 255, 256, 70_000)) {
             var graph = ReachabilityGraph.explore(hourglass(n));
-            assertThat(List.of(graph.size(), graph.edgeCount(), graph.mostTokens()))
+            assertThat(List.of(graph.size(), graph.edgeCount(), (int) graph.mostTokens()))
                     .containsExactly(n + 1, n, n);
             assertThat(graph.dead()).singleElement().satisfies(state -> {
-                assertThat(state.marking().tokens(graph.net().place("b"))).isEqualTo(n);
+                assertThat(state.marking().tokens(graph.net().place("b"))).isEqualTo((long) n);
                 assertThat(state.shortestTrace()).hasSize(n);
             });
         }
@@ -204,16 +204,15 @@ class SearchTest {
     @Test
     void outOfMemoryError_endsTheSearchWithWhatItHas() {
         var net = Nets.switches(10);
-        var rules = new FiringRules(net);
-        Expansion failing = new Expansion() {
+        Chooser failing = new Chooser() {
             private int asked;
 
             @Override
-            public int choose(int[] tokens, int[] chosen) {
+            public int choose(TokenGame game, int[] chosen) {
                 if (++asked == 100) {
                     throw new OutOfMemoryError("Java heap space");
                 }
-                return rules.choose(tokens, chosen);
+                return ALL.choose(game, chosen);
             }
         };
 

@@ -1,7 +1,6 @@
 package io.troupe.demo.verify;
 
 import io.troupe.petri.DeadlockSearch;
-import io.troupe.petri.LargeNet;
 import io.troupe.petri.Liveness;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
@@ -9,7 +8,6 @@ import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Transition;
 import io.troupe.petri.deadlock.DeadlockCheck;
-import io.troupe.petri.deadlock.LargeDeadlockCheck;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.time.Duration;
@@ -87,7 +85,7 @@ final class NetExamination {
      * Decides whether the net can deadlock, and reports the verdict.
      *
      * @return the exit status
-     * @throws ArithmeticException if a place can hold more tokens than an int
+     * @throws ArithmeticException if a place can hold more tokens than a long
      */
     int decide() {
         String why;
@@ -122,25 +120,6 @@ final class NetExamination {
             why = "the virtual machine has too little memory for a search";
         }
         return notKnown(why);
-    }
-
-    /**
-     * Looks for a dead marking of a net with large places, and reports it. Nothing else is computed for such a net, and
-     * nothing is drawn.
-     *
-     * @return the exit status
-     */
-    static int decideLarge(LargeNet large, Limits limits, Consumer<String> progress, Consumer<String> results) {
-        var net = new NetExamination(large.withoutLargePlaces(), limits, progress, results);
-        var search = net.reporting(limits.search(Integer.MAX_VALUE), "dead markings");
-        var status = switch (LargeDeadlockCheck.decide(large, search)) {
-            case LargeDeadlockCheck.CanDeadlock found ->
-                net.canDeadlock("", found.marking().toString(), found.trace());
-            case LargeDeadlockCheck.Unknown unknown -> net.notKnown(unknown.reason());
-        };
-        results.accept("no further results and no pictures: more than " + Integer.MAX_VALUE + " tokens on "
-                + large.largePlaces() + "\n");
-        return status;
     }
 
     private SearchLimits deadlockLimits(int maxMarkings) {

@@ -209,15 +209,12 @@ public final class VerifyCommand implements Callable<Integer> {
     private int examine(Path file, Interruption interruption, Consumer<String> progress, Consumer<String> results) {
         PrintWriter err = spec.commandLine().getErr();
         try {
-            var read = Pnml.readLarge(file, warning -> {
+            var read = Pnml.read(file, warning -> {
                 err.println("troupe: warning: " + warning);
                 err.flush();
             });
             OutputDirectory.make(spec, out);
-            if (!read.largePlaces().isEmpty()) {
-                return NetExamination.decideLarge(read, limits(interruption), progress, results);
-            }
-            var examination = new NetExamination(read.net(), limits(interruption), progress, results);
+            var examination = new NetExamination(read, limits(interruption), progress, results);
             int status = examination.decide();
             try {
                 examination.explain();

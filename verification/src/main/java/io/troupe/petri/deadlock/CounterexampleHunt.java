@@ -1,5 +1,7 @@
 package io.troupe.petri.deadlock;
 
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.TokenGame;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -21,7 +23,7 @@ final class CounterexampleHunt {
 
     private static final int MIN_WALK = 100;
 
-    private final FlatNet net;
+    private final PetriNet net;
     private final BooleanSupplier cancelled;
     private final SplittableRandom random = new SplittableRandom(SEED);
     private final int[] enabled;
@@ -30,10 +32,10 @@ final class CounterexampleHunt {
     private long budget;
     private boolean isCancelled;
 
-    CounterexampleHunt(FlatNet net, BooleanSupplier cancelled) {
+    CounterexampleHunt(PetriNet net, BooleanSupplier cancelled) {
         this.net = net;
         this.cancelled = cancelled;
-        enabled = new int[net.transitions()];
+        enabled = new int[net.transitions().size()];
     }
 
     /** Looks on for about so many {@code moreFirings}; a trace to a dead marking, if one was found. */
@@ -64,7 +66,8 @@ final class CounterexampleHunt {
     private Optional<int[]> walk() {
         var number = walks++;
         var chance = number == 0 ? 0 : Math.min(0.6, 0.02 * number);
-        var steps = MIN_WALK + (2L + number % 16) * (net.places() + net.transitions());
+        var steps = MIN_WALK
+                + (2L + number % 16) * (net.places().size() + net.transitions().size());
         var game = new TokenGame(net);
         var seen = new FingerprintSet();
         var trace = new int[MIN_WALK];

@@ -42,8 +42,7 @@ import java.util.function.Function;
  * <p><b>Cost.</b> The hunts and proofs have separate limits, a second or two together for a net of some thousand
  * places. The last search is that of {@link DeadlockSearch#run} on the reduced net.
  *
- * <p><b>Errors.</b> A place that can hold more than {@link Integer#MAX_VALUE} tokens throws
- * {@link ArithmeticException}.
+ * <p><b>Errors.</b> A place that can hold more than {@link Long#MAX_VALUE} tokens throws {@link ArithmeticException}.
  */
 public final class DeadlockCheck {
     private static final System.Logger LOG = System.getLogger(DeadlockCheck.class.getName());
@@ -60,7 +59,6 @@ public final class DeadlockCheck {
     private static final int MAX_COUNT = 1_000_000;
 
     private final PetriNet net;
-    private final FlatNet flat;
     private final SearchLimits limits;
     private final Set<Reduction> reductions;
     private final Function<Set<Reduction>, Reducer.Reduced> reducing;
@@ -74,7 +72,6 @@ public final class DeadlockCheck {
         this.limits = limits;
         this.reductions = reductions;
         this.reducing = reducing;
-        flat = FlatNet.of(net);
     }
 
     /** A rule that makes a net, or its search, smaller and keeps whether it can deadlock. */
@@ -210,7 +207,7 @@ public final class DeadlockCheck {
         var counts = reduced.net().transitions().stream()
                 .mapToInt(t -> Math.clamp(hint.getOrDefault(t, 0L), 0, MAX_COUNT))
                 .toArray();
-        return new GuidedSearch(FlatNet.of(reduced.net()), counts, limits.cancelled())
+        return new GuidedSearch(reduced.net(), counts, limits.cancelled())
                 .run(GUIDED_FIRINGS)
                 .map(trace -> canDeadlock(reduced, trace));
     }
@@ -225,7 +222,7 @@ public final class DeadlockCheck {
     }
 
     private Optional<Result> hunt(Reducer.Reduced reduced, long firings) {
-        return new CounterexampleHunt(FlatNet.of(reduced.net()), limits.cancelled())
+        return new CounterexampleHunt(reduced.net(), limits.cancelled())
                 .run(firings)
                 .map(trace -> canDeadlock(reduced, trace));
     }
@@ -268,7 +265,7 @@ public final class DeadlockCheck {
      */
     private Result canDeadlock(Reducer.Reduced reduced, int[] trace) {
         var whole = reduced.translate(trace);
-        if (!TraceShortener.leadsToDeadMarking(flat, whole)) {
+        if (!TraceShortener.leadsToDeadMarking(net, whole)) {
             if (reductions.isEmpty()) {
                 throw new IllegalStateException(
                         "net " + net.name() + ": a search without reductions ended in a marking that is not dead");
@@ -280,7 +277,7 @@ public final class DeadlockCheck {
                             + "is a fault of the reductions " + reductions + "; the net is searched without them");
             return decide(net, Set.of(), limits);
         }
-        var transitions = Arrays.stream(new TraceShortener(flat).shorten(whole))
+        var transitions = Arrays.stream(new TraceShortener(net).shorten(whole))
                 .mapToObj(net.transitions()::get)
                 .toList();
         return new CanDeadlock(net.fire(net.initialMarking(), transitions), transitions);

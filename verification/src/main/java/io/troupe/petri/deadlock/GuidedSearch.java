@@ -1,5 +1,7 @@
 package io.troupe.petri.deadlock;
 
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.TokenGame;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -21,7 +23,7 @@ final class GuidedSearch {
     /** A firing that leads to a marking, and the one before it; null in the initial marking. */
     private record Node(@Nullable Node before, int transition, int depth, long cost, long number) {}
 
-    private final FlatNet net;
+    private final PetriNet net;
     private final BooleanSupplier cancelled;
     private final TokenGame game;
     /** By transition: the number of its effect. Firings with the same effect stand for each other. */
@@ -38,12 +40,12 @@ final class GuidedSearch {
      *
      * @param counts by transition: how often the solution fires it, or another with the same effect
      */
-    GuidedSearch(FlatNet net, int[] counts, BooleanSupplier cancelled) {
+    GuidedSearch(PetriNet net, int[] counts, BooleanSupplier cancelled) {
         this.net = net;
         this.cancelled = cancelled;
         game = new TokenGame(net);
-        effects = new int[net.transitions()];
-        left = new int[net.transitions()];
+        effects = new int[net.transitions().size()];
+        left = new int[net.transitions().size()];
         var known = new HashMap<List<Integer>, Integer>();
         for (var t = 0; t < effects.length; t++) {
             effects[t] = known.computeIfAbsent(game.effect(t), effect -> known.size());
@@ -58,7 +60,7 @@ final class GuidedSearch {
         var seen = new FingerprintSet();
         seen.add(game.fingerprint());
         open.add(new Node(null, -1, 0, Arrays.stream(left).asLongStream().sum(), 0));
-        var enabled = new int[net.transitions()];
+        var enabled = new int[net.transitions().size()];
         var number = 0L;
         while (!open.isEmpty() && number < firings && !cancelled.getAsBoolean()) {
             var node = open.remove();

@@ -56,7 +56,7 @@ final class Reducer {
     private final Set<String> placeNames;
     private final Set<Reduction> rules;
     private final BooleanSupplier cancelled;
-    private final int[] tokens;
+    private final long[] tokens;
     private final boolean[] isGone;
     private final List<TreeSet<Integer>> producers = new ArrayList<>();
     private final List<TreeSet<Integer>> consumers = new ArrayList<>();
@@ -71,7 +71,7 @@ final class Reducer {
         placeNames = net.places().stream().map(Place::name).collect(Collectors.toSet());
         this.rules = rules;
         this.cancelled = cancelled;
-        tokens = FlatNet.of(net).tokens();
+        tokens = net.places().stream().mapToLong(Place::tokens).toArray();
         isGone = new boolean[tokens.length];
         for (var ignored : tokens) {
             producers.add(new TreeSet<>());
@@ -130,7 +130,7 @@ final class Reducer {
     /** Applies {@code rules} until none applies, or until {@code cancelled} is true. */
     static Reduced reduce(PetriNet net, Set<Reduction> rules, BooleanSupplier cancelled) {
         var reducer = new Reducer(net, rules, cancelled);
-        if (!FlatNet.of(net).isPrioritised()) {
+        if (!net.isPrioritised()) {
             reducer.run();
         }
         return new Reduced(reducer);
@@ -305,7 +305,7 @@ final class Reducer {
         private final TreeSet<Integer> wronglyCovered = new TreeSet<>();
 
         private final TreeSet<Integer> wronglyLed = new TreeSet<>();
-        private int surplus;
+        private long surplus;
         private int triesLeft;
 
         Implication(int place) {
@@ -421,8 +421,7 @@ final class Reducer {
     }
 
     private boolean fits(Step step) {
-        return step.out.entrySet().stream()
-                .allMatch(arc -> (long) tokens[arc.getKey()] + arc.getValue() <= Integer.MAX_VALUE);
+        return step.out.entrySet().stream().allMatch(arc -> tokens[arc.getKey()] <= Long.MAX_VALUE - arc.getValue());
     }
 
     /** Whether a transition needs only {@code place}, and puts tokens where they inhibit nothing. */
@@ -510,7 +509,7 @@ final class Reducer {
                 net.place(names.get(p).name(), tokens[p]);
             }
         }
-        var isPrioritised = FlatNet.of(original).isPrioritised();
+        var isPrioritised = original.isPrioritised();
         for (var i = 0; i < all.size(); i++) {
             var called = unusedName("step " + i);
             var step = all.get(i);

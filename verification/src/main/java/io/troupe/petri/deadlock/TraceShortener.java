@@ -1,5 +1,7 @@
 package io.troupe.petri.deadlock;
 
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.TokenGame;
 import java.util.Arrays;
 import java.util.HashMap;
 
@@ -14,7 +16,7 @@ final class TraceShortener {
     private final TokenGame game;
     private long firings;
 
-    TraceShortener(FlatNet net) {
+    TraceShortener(PetriNet net) {
         game = new TokenGame(net);
     }
 
@@ -109,7 +111,7 @@ final class TraceShortener {
     }
 
     /** Whether the trace can fire and ends in a dead marking. */
-    static boolean leadsToDeadMarking(FlatNet net, int[] trace) {
+    static boolean leadsToDeadMarking(PetriNet net, int[] trace) {
         var game = new TokenGame(net);
         for (var t : trace) {
             if (!game.mayFire(t)) {

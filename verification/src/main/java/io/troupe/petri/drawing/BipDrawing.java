@@ -52,6 +52,7 @@ public final class BipDrawing {
      * its first port on one side and its others on the other side; otherwise they are laid out from left to right.
      *
      * @throws IllegalArgumentException if the model has more than {@link #MOST_SVG_PARTS} components and connectors
+     * @throws IllegalStateException if ELK is not on the class path; the message names the artifacts
      */
     public String svg() {
         if (!canDraw(model)) {
@@ -59,7 +60,7 @@ public final class BipDrawing {
                     + (model.components().size() + model.connectors().size())
                     + " components and connectors, expected at most " + MOST_SVG_PARTS + " for a drawing");
         }
-        return new ModelSvg(model).write();
+        return Elk.drawn(() -> new ModelSvg(model).write());
     }
 
     /** Lays out and writes one model. */

@@ -68,12 +68,13 @@ public final class GraphDrawing {
      *
      * @throws IllegalArgumentException if the graph has more than {@link #MOST_SVG_MARKINGS} markings or
      *     {@link #MOST_SVG_EDGES} edges
+     * @throws IllegalStateException if ELK is not on the class path; the message names the artifacts
      */
     public String svg() {
         require(graph.size(), MOST_SVG_MARKINGS, "markings");
         require(graph.edgeCount(), MOST_SVG_EDGES, "edges");
         var content = content();
-        return content.written ? new GraphSvg(content).write() : new GraphMapSvg(content).write();
+        return Elk.drawn(() -> content.written ? new GraphSvg(content).write() : new GraphMapSvg(content).write());
     }
 
     private GraphContent content() {

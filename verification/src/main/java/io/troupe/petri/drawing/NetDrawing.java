@@ -107,11 +107,12 @@ public final class NetDrawing {
      *
      * @throws IllegalArgumentException if the net has more than {@link #MOST_SVG_NODES} places and transitions or
      *     {@link #MOST_SVG_ARCS} arcs
+     * @throws IllegalStateException if ELK is not on the class path; the message names the artifacts
      */
     public String svg() {
         requireAtMost(net.places().size() + net.transitions().size(), MOST_SVG_NODES, "places and transitions");
         requireAtMost(net.arcCount(), MOST_SVG_ARCS, "arcs");
-        return new NetSvg(net, marking, highlighted, components).write();
+        return Elk.drawn(() -> new NetSvg(net, marking, highlighted, components).write());
     }
 
     private void requireAtMost(int count, int most, String what) {
@@ -158,7 +159,7 @@ public final class NetDrawing {
 
         private void place(Place place) {
             var tokens = marking.tokens(place);
-            var held = tokens <= MOST_DOTS ? "●".repeat(tokens) : String.valueOf(tokens);
+            var held = tokens <= MOST_DOTS ? "●".repeat((int) tokens) : String.valueOf(tokens);
             dot.append("  p").append(place.index()).append(" [shape=circle, label=");
             dot.append(Dot.quoted(place.name() + (tokens == 0 ? "" : "\n" + held)));
             dot.append(tokens == 0 ? "" : ", style=filled, fillcolor=\"" + Palette.MARKED_FILL + "\"");

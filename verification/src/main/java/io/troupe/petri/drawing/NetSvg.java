@@ -144,7 +144,7 @@ final class NetSvg {
                         .sum();
     }
 
-    private String fill(Place place, int tokens) {
+    private String fill(Place place, long tokens) {
         return tints.getOrDefault(place, tokens > 0 ? Palette.MARKED_FILL : "white");
     }
 
@@ -179,7 +179,7 @@ final class NetSvg {
         page.endGroup();
     }
 
-    private void tokens(int tokens, PixelPoint centre) {
+    private void tokens(long tokens, PixelPoint centre) {
         if (tokens > MOST_DOTS) {
             page.lines(List.of(String.valueOf(tokens)), centre, tokens < 1000 ? FONT_PX : 6, "black");
             return;

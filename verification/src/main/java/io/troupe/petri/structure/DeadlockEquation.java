@@ -273,7 +273,7 @@ public final class DeadlockEquation {
     }
 
     private @Nullable Case halve(DeadlockProgram program, Place place, int depth) {
-        var most = (int) Math.floor(program.tokens(place));
+        var most = (long) Math.floor(program.tokens(place));
         var copy = copy(program);
         copy.setMost(place, most);
         var upToMost = prove(copy, depth + 1);

@@ -73,7 +73,7 @@ public record DeadlockProof(PetriNet net, List<PlaceSet> traps, Case root) {
     }
 
     /** Two cases: the place holds {@code most} tokens or fewer, or it holds more. */
-    public record Halves(Place place, int most, Case upToMost, Case more) implements Case {
+    public record Halves(Place place, long most, Case upToMost, Case more) implements Case {
         public Halves {
             requireNonNull(place, "place");
             requireNonNull(upToMost, "upToMost");

@@ -55,7 +55,7 @@ public record TokenBound(PlaceSet set, Map<Place, Long> weights, long scale) {
     public long tokens() {
         var initial = 0L;
         for (var weight : weights.entrySet()) {
-            initial = plus(initial, weight.getKey().tokens(), weight.getValue());
+            initial = Math.addExact(initial, Math.multiplyExact(weight.getKey().tokens(), (long) weight.getValue()));
         }
         return Math.ceilDiv(initial, scale);
     }

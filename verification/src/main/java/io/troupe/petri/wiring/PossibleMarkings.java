@@ -184,7 +184,7 @@ final class PossibleMarkings {
                 IntStream.range(0, start.size())
                         .mapToObj(i -> closed(i, start.get(i)))
                         .toList(),
-                between.stream().map(Place::tokens).toList())));
+                between.stream().map(place -> Math.toIntExact(place.tokens())).toList())));
     }
 
     private static BitSet marked(List<Place> places) {

@@ -230,7 +230,7 @@ final class WiringNet {
     /** Equal for nets that differ in names only: the tokens of each place, the arcs of each transition. */
     List<List<Integer>> shape() {
         var shape = new ArrayList<List<Integer>>();
-        shape.add(net.places().stream().map(Place::tokens).toList());
+        shape.add(net.places().stream().map(place -> (int) place.tokens()).toList());
         for (var transition : net.transitions()) {
             shape.add(arcs(transition.inputs()));
             shape.add(arcs(transition.outputs()));

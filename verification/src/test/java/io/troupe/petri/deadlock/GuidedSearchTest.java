@@ -24,7 +24,7 @@ class GuidedSearchTest {
         var counts = net.transitions().stream()
                 .mapToInt(t -> hint.getOrDefault(t, 0L).intValue())
                 .toArray();
-        return new GuidedSearch(FlatNet.of(net), counts, () -> false).run(firings);
+        return new GuidedSearch(net, counts, () -> false).run(firings);
     }
 
     /** Of 2^40 ways, only the one with no step to the left ends. */
@@ -53,7 +53,7 @@ class GuidedSearchTest {
             var trace = search(net, 2_000);
             if (trace.isPresent()) {
                 found++;
-                assertThat(TraceShortener.leadsToDeadMarking(FlatNet.of(net), trace.get()))
+                assertThat(TraceShortener.leadsToDeadMarking(net, trace.get()))
                         .as("seed %d", seed)
                         .isTrue();
             }
@@ -64,9 +64,7 @@ class GuidedSearchTest {
     @Test
     void search_ends_whenItIsCancelled() {
         var net = net("step", "a=1 b", "go: a > b");
-        assertThat(new GuidedSearch(FlatNet.of(net), new int[] {1}, () -> true).run(10))
-                .isEmpty();
-        assertThat(new GuidedSearch(FlatNet.of(net), new int[] {1}, () -> false).run(10))
-                .contains(new int[] {0});
+        assertThat(new GuidedSearch(net, new int[] {1}, () -> true).run(10)).isEmpty();
+        assertThat(new GuidedSearch(net, new int[] {1}, () -> false).run(10)).contains(new int[] {0});
     }
 }

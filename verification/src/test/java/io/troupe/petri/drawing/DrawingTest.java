@@ -2,8 +2,10 @@ package io.troupe.petri.drawing;
 
 import static io.troupe.petri.Nets.net;
 import static io.troupe.petri.Nets.refused;
+import static java.util.Objects.requireNonNull;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
 import io.troupe.petri.Arc;
 import io.troupe.petri.Nets;
@@ -15,12 +17,14 @@ import io.troupe.petri.ReachabilityGraph.State;
 import io.troupe.petri.Transition;
 import io.troupe.petri.drawing.DotReader.Statement;
 import io.troupe.tools.Thorough;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -370,5 +374,55 @@ class DrawingTest {
             assertThat(picture.groups("open")).hasSize(graph.openCount());
             picture.requireApart(picture.groups("state"), as);
         }
+    }
+
+    /** Loads our classes again, as if ELK were not on the class path. */
+    private static final class WithoutElk extends ClassLoader {
+        WithoutElk() {
+            super(DrawingTest.class.getClassLoader());
+        }
+
+        @Override
+        protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+            if (name.startsWith("org.eclipse.")) {
+                throw new ClassNotFoundException(name);
+            }
+            if (!name.startsWith("io.troupe.petri.")) {
+                return super.loadClass(name, resolve);
+            }
+            var known = findLoadedClass(name);
+            return known == null ? define(name) : known;
+        }
+
+        private Class<?> define(String name) throws ClassNotFoundException {
+            try (var in = getResourceAsStream(name.replace('.', '/') + ".class")) {
+                var bytes = requireNonNull(in, name).readAllBytes();
+                return defineClass(name, bytes, 0, bytes.length);
+            } catch (IOException e) {
+                throw new ClassNotFoundException(name, e);
+            }
+        }
+    }
+
+    static final class Drawn implements Supplier<String> {
+        @Override
+        public String get() {
+            var drawing = NetDrawing.of(PetriNet.builder("n").place("a", 1).build());
+            assertThat(drawing.dot()).contains("label=\"a");
+            return assertThatIllegalStateException()
+                    .isThrownBy(drawing::svg)
+                    .actual()
+                    .getMessage();
+        }
+    }
+
+    @Test
+    void svg_withoutElk_namesWhatIsMissing_andDotNeedsNone() throws ReflectiveOperationException {
+        var drawn = new WithoutElk().loadClass(Drawn.class.getName()).getDeclaredConstructor();
+        drawn.setAccessible(true);
+        assertThat(((Supplier<?>) drawn.newInstance()).get())
+                .isEqualTo("an SVG drawing needs org.eclipse.elk:org.eclipse.elk.alg.layered and"
+                        + " org.eclipse.xtext:org.eclipse.xtext.xbase.lib on the class path, which troupe-verification"
+                        + " does not bring along; dot() needs neither");
     }
 }

@@ -252,7 +252,7 @@ class DeadlockEquationTest {
     /** Checks a proof from the definitions, and keeps the assumptions as a list. */
     private record Checker(PetriNet net, List<PlaceSet> traps) {
         /** That a place holds at least, or at most, so many tokens. */
-        private record Assumption(Place place, boolean isLeast, int tokens) {}
+        private record Assumption(Place place, boolean isLeast, long tokens) {}
 
         private static List<Assumption> and(List<Assumption> known, Assumption more) {
             var all = new ArrayList<>(known);
@@ -322,9 +322,9 @@ class DeadlockEquationTest {
                 var isLeast = weight <= 0;
                 var bounds = known.stream()
                         .filter(one -> one.place.equals(place) && one.isLeast == isLeast)
-                        .mapToInt(Assumption::tokens);
-                var bound = isLeast ? bounds.reduce(0, Math::max) : bounds.reduce(Integer.MAX_VALUE, Math::min);
-                if (bound == Integer.MAX_VALUE) {
+                        .mapToLong(Assumption::tokens);
+                var bound = isLeast ? bounds.reduce(0, Math::max) : bounds.reduce(Long.MAX_VALUE, Math::min);
+                if (bound == Long.MAX_VALUE) {
                     return false;
                 }
                 gap = gap.subtract(product(bound, weight));
