@@ -234,4 +234,44 @@ class PetriNetTest {
     private static void refusedMelds(String message, Meld... melds) {
         refused(() -> Composition.compose("x", List.of(client("c"), SERVER), List.of(melds)), message);
     }
+
+    /** The ready transitions after each firing, and after each that is taken back, are those of the marking. */
+    @Test
+    void tokenGame_knowsWhatMayFire_alsoAfterFiringsTakenBack() {
+        var net = net("call", "idle=1 waits", "ask: idle > waits", "answer: waits > idle");
+        var game = new TokenGame(net);
+        game.fire(net.transition("ask").index());
+        assertThat(game.mayFire(net.transition("answer").index())).isTrue();
+        game.takeBack(net.transition("ask").index());
+        assertThat(game.tokens()).containsExactly(1, 0);
+        for (var seed = 1L; seed <= 100; seed++) {
+            var random = new Random(seed);
+            playAtRandom(seed, Nets.inhibited(Nets.any(random), random), random);
+        }
+    }
+
+    private static void playAtRandom(long seed, PetriNet net, Random random) {
+        var game = new TokenGame(net);
+        var markings = new ArrayList<>(List.of(net.initialMarking()));
+        var fired = new ArrayList<Integer>();
+        for (var i = 0; i < 30; i++) {
+            var marking = markings.getLast();
+            var enabled = net.enabled(marking);
+            assertThat(net.transitions().stream()
+                            .filter(t -> game.mayFire(t.index()))
+                            .toList())
+                    .as("seed %d", seed)
+                    .isEqualTo(enabled);
+            assertThat(game.tokens()).as("seed %d", seed).isEqualTo(marking.toArray());
+            if (!enabled.isEmpty() && (fired.isEmpty() || random.nextInt(3) > 0)) {
+                var t = enabled.get(random.nextInt(enabled.size()));
+                game.fire(t.index());
+                fired.add(t.index());
+                markings.add(net.fire(marking, t));
+            } else if (!fired.isEmpty()) {
+                game.takeBack(fired.removeLast());
+                markings.removeLast();
+            }
+        }
+    }
 }

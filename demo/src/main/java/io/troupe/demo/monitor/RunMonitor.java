@@ -23,8 +23,8 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Follows a run of the main job through its {@link MonitoredRunWiring declaration}: translates what the observers of
- * actors, services and states notice to the calls of the declaration.
+ * Follows a run of the main job through its {@link RunWiring declaration}: translates what the observers of actors,
+ * services and states notice to the calls of the declaration.
  *
  * <table>
  * <caption>What is observed, and what it is in the declaration</caption>
@@ -63,7 +63,7 @@ public final class RunMonitor {
     private boolean isOver; // after a failure
 
     public RunMonitor(Mode mode, int robots) {
-        this(mode, robots, WiringMonitor.of(MonitoredRunWiring.withFailures(mode, robots)));
+        this(mode, robots, WiringMonitor.of(RunWiring.withFailures(mode, robots)));
     }
 
     /** @param monitor of the wiring for this mode and number of robots */

@@ -1,11 +1,13 @@
 package io.troupe.demo.verify;
 
 import io.troupe.common.text.Plural;
+import io.troupe.demo.monitor.RunWiring;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.wiring.PaperWiring;
 import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringCheck;
 import io.troupe.petri.wiring.WiringResult;
+import io.troupe.services.subsumption.Mode;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -29,10 +31,9 @@ record WiringStudy(String name, Wiring wiring, WiringResult result) {
         wirings.put(
                 "the same with " + team + ", each of which stops with its player only",
                 PaperWiring.robotsStoppingOneByOne(robots));
-        wirings.put("troupe run with " + team + ", a colour is a promise", ProvedRunWiring.withPromises(robots));
+        wirings.put("troupe run with " + team + ", a colour is a promise", RunWiring.of(Mode.PROMISE, robots));
         wirings.put(
-                "troupe run with 2 robots, if a colour were a call that is waited for",
-                ProvedRunWiring.withDirectCalls(2));
+                "troupe run with 2 robots, if a colour were a call that is waited for", RunWiring.withDirectCalls(2));
         return wirings.entrySet().stream()
                 .map(each -> of(each.getKey(), each.getValue(), progress))
                 .peek(done)

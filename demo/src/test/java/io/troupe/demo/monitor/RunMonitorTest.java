@@ -77,14 +77,14 @@ class RunMonitorTest {
     @ParameterizedTest
     @EnumSource
     void declaration_isProved(Mode mode) {
-        assertThat(WiringCheck.check(MonitoredRunWiring.of(mode, ROBOTS))).isInstanceOf(WiringResult.Proved.class);
+        assertThat(WiringCheck.check(RunWiring.of(mode, ROBOTS))).isInstanceOf(WiringResult.Proved.class);
     }
 
     /** A failure ends the run, so it blocks the others; without it nothing does. */
     @ParameterizedTest
     @EnumSource
     void declarationWithFailures_hasNoDeadlock_andOnlyAFailureBlocks(Mode mode) {
-        var result = WiringCheck.check(MonitoredRunWiring.withFailures(mode, ROBOTS));
+        var result = WiringCheck.check(RunWiring.withFailures(mode, ROBOTS));
         assertThat(result)
                 .isInstanceOfSatisfying(
                         WiringResult.Blocked.class,
@@ -95,7 +95,7 @@ class RunMonitorTest {
     @ParameterizedTest
     @EnumSource
     void runs_conform_andEachStepThatTheyNeedWouldBeMissed(Mode mode) throws IOException, InterruptedException {
-        var runs = new Conformance(MonitoredRunWiring.of(mode, ROBOTS), Set.of());
+        var runs = new Conformance(RunWiring.of(mode, ROBOTS), Set.of());
         for (int seed = 1; seed <= SEEDS; seed++) {
             runs.add(follow(mode, seed, seed == 1 ? LONG_SECONDS : SECONDS, false));
         }
@@ -210,14 +210,13 @@ class RunMonitorTest {
     @ParameterizedTest
     @EnumSource
     void runsWithFaults_conform_andEndWithTheFault(Mode mode) throws IOException {
-        var runs = new Conformance(MonitoredRunWiring.withFailures(mode, ROBOTS), Set.of());
+        var runs = new Conformance(RunWiring.withFailures(mode, ROBOTS), Set.of());
         var happened = new EnumMap<Fault, Integer>(Fault.class);
         int seeds = Math.max(SEEDS, Fault.values().length);
         for (int seed = 1; seed <= seeds; seed++) {
             var fault = Fault.values()[seed % Fault.values().length];
             var faulty = new Faulty(fault, new Random(seed));
-            var monitor = WiringMonitor.of(MonitoredRunWiring.withFailures(mode, ROBOTS))
-                    .keepingEvents();
+            var monitor = WiringMonitor.of(RunWiring.withFailures(mode, ROBOTS)).keepingEvents();
             var settings = RecordedRun.Settings.defaults()
                     .withMode(mode)
                     .withSeed(seed)
@@ -250,7 +249,7 @@ class RunMonitorTest {
 
     private List<ProtocolEvent> follow(Mode mode, int seed, double seconds, boolean reconnects)
             throws IOException, InterruptedException {
-        var monitor = WiringMonitor.of(MonitoredRunWiring.of(mode, ROBOTS)).keepingEvents();
+        var monitor = WiringMonitor.of(RunWiring.of(mode, ROBOTS)).keepingEvents();
         var settings = RecordedRun.Settings.defaults()
                 .withMode(mode)
                 .withSeed(seed)

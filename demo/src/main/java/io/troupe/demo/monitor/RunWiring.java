@@ -13,8 +13,8 @@ import io.troupe.services.subsumption.Mode;
 import java.util.function.IntFunction;
 
 /**
- * The main job as declarations that a run can be compared with, message by message, in each of the three modes. The
- * proof is about {@code ProvedRunWiring}, which is smaller: without inbox, starters, stoppers and failures.
+ * The main job as declarations, message by message, in each of the three modes: they are proved, and a run is compared
+ * with them.
  *
  * <p>A call that its caller does not wait for is a component: the starter and the stopper of a robot are the messages
  * with which the arbitrator starts and stops its service, and the promise is that of its colour. The inbox judges each
@@ -28,26 +28,34 @@ import java.util.function.IntFunction;
  * <p>With failures a service may fail at any time, also while it stops. In one process this ends the run: the world
  * asks it no more, and the others wait. Before that, they may go on with the reading.
  */
-final class MonitoredRunWiring {
+public final class RunWiring {
     private static final String OVER = "over";
 
     private final Mode mode;
     private final int robots;
     private final boolean mayFail;
+    /** Whether a service calls the arbitrator and waits, in place of a promise. */
+    private final boolean isDirect;
 
-    private MonitoredRunWiring(Mode mode, int robots, boolean mayFail) {
+    private RunWiring(Mode mode, int robots, boolean mayFail, boolean isDirect) {
         this.mode = mode;
         this.robots = robots;
         this.mayFail = mayFail;
+        this.isDirect = isDirect;
     }
 
     /** Without failures. */
-    static Wiring of(Mode mode, int robots) {
-        return new MonitoredRunWiring(mode, robots, false).wiring();
+    public static Wiring of(Mode mode, int robots) {
+        return new RunWiring(mode, robots, false, false).wiring();
     }
 
     static Wiring withFailures(Mode mode, int robots) {
-        return new MonitoredRunWiring(mode, robots, true).wiring();
+        return new RunWiring(mode, robots, true, false).wiring();
+    }
+
+    /** A wiring to avoid: a service calls the arbitrator, and waits until it accepts the colour. */
+    public static Wiring withDirectCalls(int robots) {
+        return new RunWiring(Mode.PROMISE, robots, false, true).wiring();
     }
 
     private Wiring wiring() {
@@ -58,13 +66,15 @@ final class MonitoredRunWiring {
         var wiring = Wiring.of(robots + " robots in " + mode + " mode")
                 .component(world())
                 .component(arbitrator())
-                .component(inbox())
                 .components("service", robots, service())
-                .components("promise", robots, promise())
                 .components("starter", robots, starter())
                 .components("stopper", robots, stopper());
+        if (!isDirect) {
+            wiring.component(inbox())
+                    .components("promise", robots, promise())
+                    .bindEach("service", "promise", i -> "promise" + i);
+        }
         for (int i = 1; i <= robots; i++) {
-            wiring.bind("service" + i, "promise", "promise" + i);
             wiring.bind("starter" + i, "service", "service" + i);
             wiring.bind("stopper" + i, "service", "service" + i);
         }
@@ -77,9 +87,11 @@ final class MonitoredRunWiring {
      */
     private Protocol world() {
         var world = Protocol.of("world");
-        chain(world, "answered ", i -> "service" + i + ".answered", "promised 1");
-        chain(world, "promised ", i -> "promise" + i + ".idle", "judged");
-        world.state("judged", requests("inbox.idle").then("settled"));
+        chain(world, "answered ", i -> "service" + i + ".answered", isDirect ? "settled" : "promised 1");
+        if (!isDirect) {
+            chain(world, "promised ", i -> "promise" + i + ".idle", "judged");
+            world.state("judged", requests("inbox.idle").then("settled"));
+        }
         world.state("settled", requests("arbitrator.idle").then("reading 1"));
         chain(world, "reading ", i -> "service" + i + ".data", "answered 1");
         if (mayFail) {
@@ -93,8 +105,16 @@ final class MonitoredRunWiring {
         chain(arbitrator, "starting ", i -> "starter" + i + ".send", "watching");
         arbitrator.state(
                 "watching",
-                provides("change").then("stopping 1"),
+                isDirect
+                        ? provides("colour").then("judging")
+                        : provides("change").then("stopping 1"),
                 provides("idle").then("watching"));
+        if (isDirect) {
+            arbitrator.state(
+                    "judging",
+                    does("ignore the colour").then("watching"),
+                    does("change the state").then("stopping 1"));
+        }
         chain(arbitrator, "stopping ", i -> "stopper" + i + ".send", "awaiting 1");
         chain(arbitrator, "awaiting ", i -> "stopper" + i + ".done", "starting 1");
         return arbitrator.build();
@@ -125,7 +145,10 @@ final class MonitoredRunWiring {
                         "deciding",
                         does("drive on").then("in charge"),
                         does("see a colour").then("reporting"))
-                .state("reporting", requests("promise.fulfil").then("in charge"));
+                .state(
+                        "reporting",
+                        requests(isDirect ? "arbitrator.colour" : "promise.fulfil")
+                                .then("in charge"));
         if (mayFail) {
             service.state(
                             "failed",
