@@ -31,6 +31,7 @@ import io.troupe.petri.wiring.WiringResult.Proved;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** For each kind of declaration a wiring that deadlocks, with its story, and the change that prevents it. */
 class DeclarationsTest {
@@ -703,6 +704,52 @@ class DeclarationsTest {
                         .component(keeper.build())
                         .resource("lock", 1)))
                 .contains("server waits for lock, which keeper holds");
+    }
+
+    /**
+     * The client has ended, but a message of it waits, or the server may do something else: then it gives back the lock
+     * that another waits for.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"message", "private step", "open call"})
+    void server_thatMayStillDoSomething_isNotLeft(String what) {
+        var client = Protocol.of("client")
+                .state(
+                        "new",
+                        what.equals("message")
+                                ? sends("server.job").then("over")
+                                : requests("server.get").then("over"))
+                .state("over", ends());
+        var server = Protocol.of("server").state("new", acquires("lock").then("idle"));
+        switch (what) {
+            case "message" -> server.state("idle", receives("job").then("tidying"));
+            case "private step" ->
+                server.state("idle", provides("get").then("idle"), does("tidy").then("tidying"));
+            default ->
+                server.state(
+                        "idle", provides("get").then("idle"), provides("tidy").then("tidying"));
+        }
+        server.state("tidying", releases("lock").then("rest"));
+        if (what.equals("message")) {
+            server.state("rest", receives("job").then("rest"));
+        } else {
+            server.state("rest", provides("get").then("rest"));
+        }
+        var other = Protocol.of("other")
+                .state("new", acquires("lock").then("working"))
+                .state("working", releases("lock").then("over"))
+                .state("over", ends());
+        var wiring = Wiring.of("lock")
+                .component(client.build())
+                .component(server.build())
+                .component(other.build())
+                .resource("lock", 1);
+        switch (what) {
+            case "message" -> wiring.mailbox("server", 1, Overflow.BLOCK);
+            case "open call" -> wiring.open("server.tidy");
+            default -> {}
+        }
+        requireProved(wiring);
     }
 
     // ---- equal components

@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 
@@ -299,6 +300,12 @@ class MonitoredStepsTest {
         assertThat(problem(tools, List.of(one, waits, e(Kind.RELEASED, "worker1", "tool"))))
                 .as("something else after the decision")
                 .contains("worker1 waits for tool, which worker1 holds, where it may take tool");
+        var never = WiringMonitor.of(tools.build());
+        never.never("both hold one", Map.of("worker1", Set.of("one"), "worker2", Set.of("one")));
+        never.on(one);
+        never.on(two);
+        assertThat(never.violation().orElseThrow().problem())
+                .startsWith("both hold one: worker1 is in \"one\" or waits");
         // one that can do nothing else waits without a report, and may report it
         var hands = DeclarationsTest.hands("arm", "camera");
         for (var more : List.of(List.<ProtocolEvent>of(), List.of(e(Kind.WAITS, "other", "arm")))) {
