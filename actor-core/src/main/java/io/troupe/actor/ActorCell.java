@@ -391,11 +391,14 @@ final class ActorCell extends Recipient {
         }
         implementation = null;
         instance = null;
-        if (exceptional != null && exceptional.byActor) {
+        boolean heldCalls = exceptional != null && exceptional.byActor;
+        if (heldCalls) {
             exceptional.byActor = false;
-            noteHold(false);
         }
         life.endAll(restarted, endedBy());
+        if (heldCalls) {
+            noteHold(false);
+        }
     }
 
     /** The failure that led to the end of the last instance, or null. */

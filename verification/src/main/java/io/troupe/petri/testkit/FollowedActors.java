@@ -10,6 +10,7 @@ import io.troupe.actor.testkit.TestSpace;
 import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringMonitor;
 import io.troupe.petri.wiring.WiringObserver;
+import io.troupe.petri.wiring.WiringRecorder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -57,6 +58,7 @@ public final class FollowedActors implements BeforeEachCallback, AfterEachCallba
 
     private final @Nullable Wiring wiring;
     private final WiringObserver.@Nullable Translation translation;
+    private final @Nullable WiringRecorder recorder;
     private Followed now;
 
     /** What is followed in one test. */
@@ -82,29 +84,44 @@ public final class FollowedActors implements BeforeEachCallback, AfterEachCallba
         }
     }
 
-    private FollowedActors(@Nullable Wiring wiring, WiringObserver.@Nullable Translation translation) {
+    private FollowedActors(
+            @Nullable Wiring wiring,
+            WiringObserver.@Nullable Translation translation,
+            @Nullable WiringRecorder recorder) {
         this.wiring = wiring;
         this.translation = translation;
+        this.recorder = recorder;
         this.now = begin();
     }
 
     /** Fails a test on a ring; nothing is declared. */
     public static FollowedActors forRings() {
-        return new FollowedActors(null, null);
+        return new FollowedActors(null, null, null);
     }
 
     /** Fails a test also when an actor leaves the protocol of its component in this wiring. */
     public static FollowedActors through(Wiring wiring) {
-        return new FollowedActors(requireNonNull(wiring, "wiring"), null);
+        return new FollowedActors(requireNonNull(wiring, "wiring"), null, null);
     }
 
     /** Like {@link #through(Wiring)}, for calls that have other names in the wiring. */
     public static FollowedActors through(Wiring wiring, WiringObserver.Translation translation) {
-        return new FollowedActors(requireNonNull(wiring, "wiring"), requireNonNull(translation, "translation"));
+        return new FollowedActors(
+                requireNonNull(wiring, "wiring"), requireNonNull(translation, "translation"), null);
+    }
+
+    /** Fails a test on a ring, and adds each test to the runs of a recorder. */
+    public static FollowedActors recordedBy(WiringRecorder recorder) {
+        return new FollowedActors(null, null, requireNonNull(recorder, "recorder"));
     }
 
     private Followed begin() {
-        var monitor = Optional.ofNullable(wiring).map(WiringMonitor::of);
+        if (recorder != null) {
+            recorder.newRun();
+            return new Followed(Optional.empty(), Optional.of(recorder));
+        }
+        var monitor = Optional.ofNullable(wiring)
+                .map(declared -> WiringMonitor.of(declared).observing(WiringObserver.stepsFromOutside(declared)));
         return new Followed(
                 monitor,
                 monitor.map(each ->

@@ -322,6 +322,10 @@ public final class WiringMonitor {
         return wiring;
     }
 
+    boolean observes(String label) {
+        return observed.contains(label);
+    }
+
     /** The number of events that were allowed. */
     public synchronized long count() {
         return count;

@@ -7,9 +7,11 @@ import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,8 +29,9 @@ import org.jspecify.annotations.Nullable;
  * {@code asks} gets the answer then. What is passed on by a connection to a service is a call of its caller.
  *
  * <p>A call of a component to an actor that the wiring does not have is a violation, and so is a call that the
- * component answers to others, made by an actor that the wiring does not have. Calls from outside, for example of the
- * test, are not reported: they are open calls, or private steps.
+ * component answers to others, made by an actor that the wiring does not have. A call {@code pay} from outside, for
+ * example of the test, is the private step {@code pay from outside}, and its answer {@code answers pay}, where the
+ * component has these steps and the monitor observes them ({@link #stepsFromOutside}); else it is not reported.
  *
  * <p><b>Role.</b> Needs {@code troupe-actor-core} on the class path. What a program calls otherwise than its wiring
  * does is translated: {@link #WiringObserver(WiringMonitor, Translation)}. The results of streams, and messages that a
@@ -67,11 +70,15 @@ public final class WiringObserver implements CallObserver {
         }
     }
 
+    static final String FROM_OUTSIDE = " from outside";
+    static final String ANSWERS = "answers ";
+
     private final WiringMonitor monitor;
     private final Wiring wiring;
     private final ActorNames names;
     private final Translation translation;
-    private final Map<Call, Followed> queued = new HashMap<>(); // guarded by this, as is names
+    private final Map<Call, Followed> queued = new HashMap<>(); // guarded by this, as is names and outside
+    private final Map<Call, String> outside = new HashMap<>(); // the component that got a call from outside
 
     public WiringObserver(WiringMonitor monitor) {
         this.monitor = requireNonNull(monitor, "monitor");
@@ -116,9 +123,43 @@ public final class WiringObserver implements CallObserver {
                         ? Optional.empty()
                         : Optional.of(Followed.of(names.of(caller), target));
             }
-            return ActorNames.isActor(caller) && offers(target)
-                    ? Optional.of(Followed.of(names.of(caller), target))
-                    : Optional.empty();
+            if (!ActorNames.isActor(caller)) {
+                outside.put(call, names.of(to));
+                return Optional.empty();
+            }
+            return offers(target) ? Optional.of(Followed.of(names.of(caller), target)) : Optional.empty();
+        }
+    }
+
+    /** The private steps of a wiring that are calls from outside: for {@link WiringMonitor#observing}. */
+    public static Set<String> stepsFromOutside(Wiring wiring) {
+        return wiring.components().stream()
+                .flatMap(component -> wiring.protocol(component).steps(Step.Does.class))
+                .map(Step.Does::label)
+                .filter(label -> label.endsWith(FROM_OUTSIDE) || label.startsWith(ANSWERS))
+                .collect(Collectors.toSet());
+    }
+
+    private void beginsFromOutside(Call call) {
+        String component;
+        synchronized (this) {
+            component = outside.remove(call);
+        }
+        if (component != null) {
+            did(component, call.method() + FROM_OUTSIDE);
+            if (call.isRequest()) {
+                call.whenSettled(error -> did(component, ANSWERS + call.method()));
+            }
+        }
+    }
+
+    private void did(String component, String label) {
+        boolean isDeclared = wiring.components().contains(component)
+                && wiring.protocol(component)
+                        .steps(Step.Does.class)
+                        .anyMatch(step -> step.label().equals(label));
+        if (isDeclared && monitor.observes(label)) {
+            monitor.did(component, label);
         }
     }
 
@@ -149,9 +190,15 @@ public final class WiringObserver implements CallObserver {
     }
 
     @Override
+    public synchronized void dropped(Party actor, Call call) {
+        outside.remove(call);
+    }
+
+    @Override
     public void begun(Party actor, Call call) {
         Followed followed = dequeue(call);
         if (followed == null) {
+            beginsFromOutside(call);
             return;
         }
         if (isMessage(followed)) {
