@@ -8,6 +8,7 @@ dependencies {
     api(libs.kotlinx.coroutines)
     compileOnly(project(":actor-service")) // only for users of actors as services
     testImplementation(project(":view"))
+    testImplementation(project(":verification"))
     testImplementation(project(path = ":actor-service", configuration = "tests")) // two hosts in one process
 }
 

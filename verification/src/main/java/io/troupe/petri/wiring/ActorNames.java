@@ -13,8 +13,8 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The names of actors as components: that of their settings, or that of their type with a small letter. A second actor
- * of a name gets a 2 after it, and so on in the order in which they are seen; where {@code name1} is a component and
+ * The names of actors as components: that of their settings (of an actor that was published: the service), or that of
+ * their type with a small letter. A second actor of a name gets a 2 after it, and so on in the order in which they are seen; where {@code name1} is a component and
  * {@code name} is none, the first one gets a 1.
  *
  * <p>A connection to a service is no component: what it passes on is a call of the actor that has called it.
@@ -38,6 +38,11 @@ final class ActorNames {
         return !party.name().equals(CallGraph.OUTSIDE) && !party.name().equals(CallGraph.TASKS);
     }
 
+    /** Whether a call is one of the broker's, which are no part of a program. */
+    static boolean isOfTheBroker(Call call) {
+        return call.type().getPackageName().equals("io.troupe.broker");
+    }
+
     /** The name of an actor. */
     String of(Party actor) {
         return names.computeIfAbsent(actor, this::newName);
@@ -45,7 +50,7 @@ final class ActorNames {
 
     private String newName(Party actor) {
         String name = actor.number() == 0
-                ? actor.name().replaceAll("[^\\p{L}\\p{N}_-]+", "-")
+                ? actor.name().substring(actor.name().lastIndexOf('/') + 1).replaceAll("[^\\p{L}\\p{N}_-]+", "-")
                 : Character.toLowerCase(actor.name().charAt(0)) + actor.name().substring(1);
         int count = counts.merge(name, 1, Integer::sum);
         return count == 1 && (isComponent.test(name) || !isComponent.test(name + "1")) ? name : name + count;

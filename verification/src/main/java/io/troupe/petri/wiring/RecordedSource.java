@@ -13,6 +13,10 @@ import org.jspecify.annotations.Nullable;
 
 /** A recording as a source file, in Java and Kotlin. */
 final class RecordedSource {
+    private static final String BODY = "\n        ";
+    private static final String JAVA = BODY + "        "; // a line that continues a statement
+    private static final String KOTLIN = BODY + "    ";
+
     private RecordedSource() {}
 
     static String java(Recording recording, String packageName, String className) {
@@ -26,11 +30,11 @@ final class RecordedSource {
         for (var component : recording.components()) {
             text.append("        var ").append(variable(component)).append(" = Protocol.of(\"").append(component.name);
             text.append("\"").append(type(component, packageName, ".class")).append(")");
-            component.states.forEach((state, edges) -> text.append(state(state, edges)));
-            text.append("\n                .build();\n");
+            component.states.forEach((state, edges) -> text.append(state(state, edges, JAVA)));
+            text.append(JAVA).append(".build();\n");
         }
         text.append("        return Wiring.of(\"").append(recording.name()).append("\")");
-        text.append(whole(recording)).append("\n                .build();\n    }\n}\n");
+        text.append(whole(recording, JAVA)).append(JAVA).append(".build();\n    }\n}\n");
         return text.toString();
     }
 
@@ -46,11 +50,11 @@ final class RecordedSource {
         for (var component : recording.components()) {
             text.append("        val ").append(variable(component)).append(" = Protocol.of(\"").append(component.name);
             text.append("\"").append(type(component, packageName, "::class.java")).append(")");
-            component.states.forEach((state, edges) -> text.append(state(state, edges)));
-            text.append("\n                .build()\n");
+            component.states.forEach((state, edges) -> text.append(state(state, edges, KOTLIN)));
+            text.append(KOTLIN).append(".build()\n");
         }
         text.append("        return Wiring.of(\"").append(recording.name()).append("\")");
-        text.append(whole(recording)).append("\n                .build()\n    }\n}\n");
+        text.append(whole(recording, KOTLIN)).append(KOTLIN).append(".build()\n    }\n}\n");
         return text.toString();
     }
 
@@ -93,22 +97,21 @@ final class RecordedSource {
         return true;
     }
 
-    private static String state(String state, Set<Edge> edges) {
+    private static String state(String state, Set<Edge> edges, String line) {
+        String step = line + line.substring(BODY.length()); // indented once more
         return edges.stream()
-                .map(edge -> "                        " + edge.verb() + "(\"" + edge.what() + "\").then(\"" + edge.to()
-                        + "\")")
-                .collect(Collectors.joining(",\n", "\n                .state(\n                        \"" + state
-                        + "\",\n", ")"));
+                .map(edge -> edge.verb() + "(\"" + edge.what() + "\").then(\"" + edge.to() + "\")")
+                .collect(Collectors.joining("," + step, line + ".state(" + step + "\"" + state + "\"," + step, ")"));
     }
 
-    private static String whole(Recording recording) {
+    private static String whole(Recording recording, String line) {
         var text = new StringBuilder();
-        recording.components().forEach(component -> text.append("\n                .component(\"")
+        recording.components().forEach(component -> text.append(line + ".component(\"")
                 .append(component.name)
                 .append("\", ")
                 .append(variable(component))
                 .append(")"));
-        recording.mailboxes().forEach((component, capacity) -> text.append("\n                .mailbox(\"")
+        recording.mailboxes().forEach((component, capacity) -> text.append(line + ".mailbox(\"")
                 .append(component)
                 .append("\", ")
                 .append(capacity)

@@ -53,7 +53,7 @@ public final class WiringObserver implements CallObserver {
     /**
      * A call as the wiring has it.
      *
-     * @param caller the component that makes it
+     * @param caller the component that makes it; empty for a call from outside. A call of itself is a private step
      * @param target {@code component.call}
      * @param isAnsweredAtOnce whether it is answered when it begins, not when its promise is settled
      * @param failed what is done in place of the answer when the promise is settled with an error; null to report an
@@ -97,17 +97,28 @@ public final class WiringObserver implements CallObserver {
 
     @Override
     public void called(Party from, Party to, Call call) {
-        translation.of(from, to, call).ifPresent(followed -> {
+        translation.of(from, to, call).ifPresent(followed -> called(followed, call));
+    }
+
+    private void called(Followed followed, Call call) {
+        if (followed.caller().equals(component(followed))) {
+            return; // a private step
+        }
+        if (followed.caller().isEmpty()) {
             synchronized (this) {
-                queued.put(call, followed);
+                outside.put(call, component(followed));
             }
-            if (isMessage(followed)) {
-                monitor.on(Kind.SENT, followed.caller(), followed.target());
-            } else {
-                monitor.asked(followed.caller(), followed.target());
-            }
-            call.whenSettled(error -> settled(call, followed, error));
-        });
+            return;
+        }
+        synchronized (this) {
+            queued.put(call, followed);
+        }
+        if (isMessage(followed)) {
+            monitor.on(Kind.SENT, followed.caller(), followed.target());
+        } else {
+            monitor.asked(followed.caller(), followed.target());
+        }
+        call.whenSettled(error -> settled(call, followed, error));
     }
 
     private Optional<Followed> byName(Party from, Party to, Call call) {
@@ -116,16 +127,16 @@ public final class WiringObserver implements CallObserver {
                 names.passing(from, to, call);
                 return Optional.empty();
             }
+            if (ActorNames.isOfTheBroker(call)) {
+                return Optional.empty();
+            }
             Party caller = names.caller(from, call);
             String target = names.of(to) + "." + call.method();
             if (ActorNames.isActor(caller) && wiring.components().contains(names.of(caller))) {
-                return names.of(caller).equals(names.of(to)) // a call of itself is a private step
-                        ? Optional.empty()
-                        : Optional.of(Followed.of(names.of(caller), target));
+                return Optional.of(Followed.of(names.of(caller), target));
             }
             if (!ActorNames.isActor(caller)) {
-                outside.put(call, names.of(to));
-                return Optional.empty();
+                return Optional.of(Followed.of("", target));
             }
             return offers(target) ? Optional.of(Followed.of(names.of(caller), target)) : Optional.empty();
         }

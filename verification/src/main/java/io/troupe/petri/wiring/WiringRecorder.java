@@ -98,9 +98,11 @@ public final class WiringRecorder implements CallObserver {
                     open.put(call, new Asked(-1, false, "", served.map(this::served).orElse(-1)));
                     return;
                 }
-                Party caller = names.caller(from, call);
-                followed = Optional.of(WiringObserver.Followed.of(
-                        ActorNames.isActor(caller) ? names.of(caller) : "", names.of(to) + "." + call.method()));
+                if (!ActorNames.isOfTheBroker(call)) {
+                    Party caller = names.caller(from, call);
+                    followed = Optional.of(WiringObserver.Followed.of(
+                            ActorNames.isActor(caller) ? names.of(caller) : "", names.of(to) + "." + call.method()));
+                }
             }
             followed.ifPresent(each -> asked(each, call, served.map(this::served).orElse(-1)));
         }
