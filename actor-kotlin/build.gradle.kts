@@ -26,6 +26,7 @@ kotlin {
 tasks.test {
     inputs.dir("src/main/kotlin") // of PublicApiTest
     inputs.dir("src/test/api")
+    inputs.files("src/test/kotlin/io/troupe/actor/kotlin/guide/PurseWiring.kt") // of RecordedTest
     inputs.files("../demo/worlds").withPathSensitivity(PathSensitivity.RELATIVE)
     providers.systemProperty("api").orNull?.let { systemProperty("api", it) }
 }

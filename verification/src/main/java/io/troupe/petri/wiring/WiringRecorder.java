@@ -23,12 +23,12 @@ import org.jspecify.annotations.Nullable;
  * Writes a wiring from runs of a program: the protocols of its actors, as they were seen to call each other.
  *
  * {@snippet :
- * var recorder = new WiringRecorder("street");
+ * var recorder = new WiringRecorder("test");
  * try (var test = new TestSpace(recorder)) {
- *     buyALamp(test);
+ *     run(test);
  * }
+ * assertThat(recorder.problems()).isEmpty();
  * assertThat(WiringCheck.check(recorder.wiring())).isInstanceOf(Proved.class);
- * log.add(recorder.java("io.troupe.petri.wiring", "StreetWiring")); // the same wiring as a source
  * }
  *
  * <p>A state of an actor is what it has under way: the calls that it has accepted, with the last thing that each of them

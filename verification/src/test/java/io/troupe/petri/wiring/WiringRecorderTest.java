@@ -61,8 +61,8 @@ class WiringRecorderTest {
         try (var test = new TestSpace(recorder)) {
             run(test);
         }
-        assertThat(WiringCheck.check(recorder.wiring())).isInstanceOf(Proved.class);
         assertThat(recorder.problems()).isEmpty();
+        assertThat(WiringCheck.check(recorder.wiring())).isInstanceOf(Proved.class);
         var monitor = WiringMonitor.of(recorder.wiring());
         try (var test = new TestSpace(new WiringObserver(monitor))) {
             run(test);
