@@ -55,11 +55,13 @@ class RecordedRunTest {
     };
 
     /** Runs the services until the second switch. */
-    private void run(CallObserver observer, UnaryOperator<RobotServices> change, Runnable atEnd) throws InterruptedException {
+    private void run(CallObserver observer, UnaryOperator<RobotServices> change, Runnable atEnd)
+            throws InterruptedException {
         var switches = new int[1];
         try (var simulation = Simulation.open(scenario, WorldSettings.defaults());
-                var space = ActorSpace.create(
-                        SpaceSettings.named("robots").withClock(simulation.clock()).withCallObserver(observer))) {
+                var space = ActorSpace.create(SpaceSettings.named("robots")
+                        .withClock(simulation.clock())
+                        .withCallObserver(observer))) {
             var settings = RobotServicesActor.Settings.defaults()
                     .withPort(scenario.robotPort().orElseThrow());
             RobotServices services = space.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
@@ -110,13 +112,16 @@ class RecordedRunTest {
 
         var changed = monitor(recorder);
         run(new WiringObserver(changed, BY_ROBOT), RecordedRunTest::stoppingTwice, changed::end);
-        assertThat(changed.violation().orElseThrow().problem()).contains("arbitrator asks service1.stop is not allowed");
+        assertThat(changed.violation().orElseThrow().problem())
+                .contains("arbitrator asks service1.stop is not allowed");
     }
 
     /** The services, each of which is asked twice to stop. */
     private static RobotServices stoppingTwice(RobotServices services) {
         return (RobotServices) Proxy.newProxyInstance(
-                RobotServices.class.getClassLoader(), new Class<?>[] {RobotServices.class}, (proxy, method, arguments) -> {
+                RobotServices.class.getClassLoader(),
+                new Class<?>[] {RobotServices.class},
+                (proxy, method, arguments) -> {
                     if (method.getName().equals("stop")) {
                         method.invoke(services, arguments);
                     }
@@ -169,10 +174,11 @@ class RecordedRunTest {
         @Override
         public Promise<@Nullable Void> change(RobotServices services) {
             context().hold();
-            return services.stop(new RobotServices.Lease(1, 1, RobotServices.Stamp.NONE), 0).thenApply(stopped -> {
-                context().release();
-                return null;
-            });
+            return services.stop(new RobotServices.Lease(1, 1, RobotServices.Stamp.NONE), 0)
+                    .thenApply(stopped -> {
+                        context().release();
+                        return null;
+                    });
         }
 
         @Override

@@ -88,9 +88,10 @@ class RecordedServicesTest {
         ActorServices services = broker.services();
         test.get(services.publish(test.space(), Shop.class, "shop", List.of(), () -> shop.apply(services)));
         test.get(services.publish(test.space(), Bank.class, "bank", List.of(), () -> new AskingBank(services)));
-        Shop connected = services.connect(Shop.class, Need.ofService("customer", "shop")).actor();
-        Customer customer = test.spawn(
-                Customer.class, () -> () -> connected.buy("lamp"), ActorSettings.named("customer"));
+        Shop connected =
+                services.connect(Shop.class, Need.ofService("customer", "shop")).actor();
+        Customer customer =
+                test.spawn(Customer.class, () -> () -> connected.buy("lamp"), ActorSettings.named("customer"));
         Promise<String> first = customer.shop();
         test.runQueued();
         then.run();

@@ -106,8 +106,7 @@ public final class FollowedActors implements BeforeEachCallback, AfterEachCallba
 
     /** Like {@link #through(Wiring)}, for calls that have other names in the wiring. */
     public static FollowedActors through(Wiring wiring, WiringObserver.Translation translation) {
-        return new FollowedActors(
-                requireNonNull(wiring, "wiring"), requireNonNull(translation, "translation"), null);
+        return new FollowedActors(requireNonNull(wiring, "wiring"), requireNonNull(translation, "translation"), null);
     }
 
     /** Fails a test on a ring, and adds each test to the runs of a recorder. */

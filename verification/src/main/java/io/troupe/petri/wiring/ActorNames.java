@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The names of actors as components: that of their settings (of an actor that was published: the service), or that of
- * their type with a small letter. A second actor of a name gets a 2 after it, and so on in the order in which they are seen; where {@code name1} is a component and
- * {@code name} is none, the first one gets a 1.
+ * their type with a small letter. A second actor of a name gets a 2 after it, and so on in the order in which they are
+ * seen; where {@code name1} is a component and {@code name} is none, the first one gets a 1.
  *
  * <p>A connection to a service is no component: what it passes on is a call of the actor that has called it.
  *

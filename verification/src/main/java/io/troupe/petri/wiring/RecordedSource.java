@@ -21,14 +21,21 @@ final class RecordedSource {
 
     static String java(Recording recording, String packageName, String className) {
         var text = new StringBuilder("package " + packageName + ";\n\n");
-        verbs(recording).forEach(verb ->
-                text.append("import static io.troupe.petri.wiring.Protocol.").append(verb).append(";\n"));
+        verbs(recording)
+                .forEach(verb -> text.append("import static io.troupe.petri.wiring.Protocol.")
+                        .append(verb)
+                        .append(";\n"));
         text.append("\n");
         imports(recording).forEach(type -> text.append("import ").append(type).append(";\n"));
-        text.append("\n/** Recorded from runs: a draft. */\nfinal class ").append(className).append(" {\n");
+        text.append("\n/** Recorded from runs: a draft. */\nfinal class ")
+                .append(className)
+                .append(" {\n");
         text.append("    private ").append(className).append("() {}\n\n    static Wiring wiring() {\n");
         for (var component : recording.components()) {
-            text.append("        var ").append(variable(component)).append(" = Protocol.of(\"").append(component.name);
+            text.append("        var ")
+                    .append(variable(component))
+                    .append(" = Protocol.of(\"")
+                    .append(component.name);
             text.append("\"").append(type(component, packageName, ".class")).append(")");
             component.states.forEach((state, edges) -> text.append(state(state, edges, JAVA)));
             text.append(JAVA).append(".build();\n");
@@ -45,11 +52,18 @@ final class RecordedSource {
                         verbs(recording).stream().map(verb -> "io.troupe.petri.wiring.Protocol." + verb))
                 .sorted()
                 .forEach(name -> text.append("import ").append(name).append("\n"));
-        text.append("\n/** Recorded from runs: a draft. */\ninternal object ").append(objectName).append(" {\n");
+        text.append("\n/** Recorded from runs: a draft. */\ninternal object ")
+                .append(objectName)
+                .append(" {\n");
         text.append("    fun wiring(): Wiring {\n");
         for (var component : recording.components()) {
-            text.append("        val ").append(variable(component)).append(" = Protocol.of(\"").append(component.name);
-            text.append("\"").append(type(component, packageName, "::class.java")).append(")");
+            text.append("        val ")
+                    .append(variable(component))
+                    .append(" = Protocol.of(\"")
+                    .append(component.name);
+            text.append("\"")
+                    .append(type(component, packageName, "::class.java"))
+                    .append(")");
             component.states.forEach((state, edges) -> text.append(state(state, edges, KOTLIN)));
             text.append(KOTLIN).append(".build()\n");
         }
@@ -106,16 +120,20 @@ final class RecordedSource {
 
     private static String whole(Recording recording, String line) {
         var text = new StringBuilder();
-        recording.components().forEach(component -> text.append(line + ".component(\"")
-                .append(component.name)
-                .append("\", ")
-                .append(variable(component))
-                .append(")"));
-        recording.mailboxes().forEach((component, capacity) -> text.append(line + ".mailbox(\"")
-                .append(component)
-                .append("\", ")
-                .append(capacity)
-                .append(", Overflow.BLOCK)"));
+        recording
+                .components()
+                .forEach(component -> text.append(line + ".component(\"")
+                        .append(component.name)
+                        .append("\", ")
+                        .append(variable(component))
+                        .append(")"));
+        recording
+                .mailboxes()
+                .forEach((component, capacity) -> text.append(line + ".mailbox(\"")
+                        .append(component)
+                        .append("\", ")
+                        .append(capacity)
+                        .append(", Overflow.BLOCK)"));
         return text.toString();
     }
 

@@ -18,9 +18,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * The protocols of recorded runs.
  *
- * <p>Each run is read once for each component, as the list of the steps that this component took. A state is what it has
- * under way after a step: its {@link Activity activities}, which are the calls that it serves, and the questions that
- * belong to none of them. Equal situations are one state, so what followed one of them may follow each.
+ * <p>Each run is read once for each component, as the list of the steps that this component took. A state is what it
+ * has under way after a step: its {@link Activity activities}, which are the calls that it serves, and the questions
+ * that belong to none of them. Equal situations are one state, so what followed one of them may follow each.
  *
  * <p>Which activity a step belongs to is known from the call that was served when it was made; a call of the component
  * itself is part of the activity that makes it.
@@ -89,7 +89,8 @@ final class Recording {
     /** A call that is served, or a message that is followed up: what it did last, and which questions are open. */
     record Activity(String method, String last, List<String> open, boolean isAnswered) {
         String words() {
-            return (method + (isAnswered ? " answered" : "")
+            return (method
+                            + (isAnswered ? " answered" : "")
                             + (last.isEmpty() ? "" : " after " + last)
                             + (open.isEmpty() ? "" : " waits for " + String.join(" and ", open)))
                     .strip();
@@ -117,7 +118,8 @@ final class Recording {
         }
 
         String name() {
-            String words = activities.values().stream().map(Activity::words).sorted().collect(Collectors.joining("; "));
+            String words =
+                    activities.values().stream().map(Activity::words).sorted().collect(Collectors.joining("; "));
             return (words.isEmpty() ? FIRST : words) + (isHolding ? ", holding its calls" : "");
         }
 
@@ -152,8 +154,10 @@ final class Recording {
         this.name = name;
         this.runs = runs;
         this.types = types;
-        streams.stream().sorted().forEach(target -> problems.add("the results of " + target
-                + " are not in the wiring: its caller goes on with its answer, or at once"));
+        streams.stream()
+                .sorted()
+                .forEach(target -> problems.add("the results of " + target
+                        + " are not in the wiring: its caller goes on with its answer, or at once"));
         runs.forEach(run -> run.forEach(fact -> {
             if (fact instanceof Fact.Called called && called.isBetweenActors()) {
                 component(called.caller());
@@ -191,9 +195,8 @@ final class Recording {
     Wiring wiring() {
         var wiring = Wiring.of(name);
         for (var component : components.values()) {
-            var protocol = component.type == null
-                    ? Protocol.of(component.name)
-                    : Protocol.of(component.name, component.type);
+            var protocol =
+                    component.type == null ? Protocol.of(component.name) : Protocol.of(component.name, component.type);
             component.states.forEach((state, edges) -> protocol.state(
                     state,
                     edges.stream()
@@ -208,8 +211,7 @@ final class Recording {
     // ---- reading runs
 
     /** A step of a component, as the verb of its declaration. */
-    private record Step(
-            String verb, String what, int activity, Fact.Called call, int at, boolean isHoldingAfter) {}
+    private record Step(String verb, String what, int activity, Fact.Called call, int at, boolean isHoldingAfter) {}
 
     /** One run. */
     private final class Run {
@@ -258,7 +260,9 @@ final class Recording {
         /** The activity of the caller in which a call is made, or -1. */
         private int activityOf(Fact.Called made) {
             int served = made.served();
-            return served >= 0 && calls.containsKey(served) && call(served).callee().equals(made.caller())
+            return served >= 0
+                            && calls.containsKey(served)
+                            && call(served).callee().equals(made.caller())
                     ? root(served)
                     : -1;
         }
@@ -376,27 +380,26 @@ final class Recording {
             boolean isOutside = step.call().caller().isEmpty();
             int number = step.activity();
             var activity = before.activities().getOrDefault(number, new Activity("", "", List.of(), false));
-            Situation next =
-                    switch (step.verb()) {
-                        case "accepts" -> {
-                            if (!isOutside) {
-                                component.isAlwaysAtOnce.put(step.what(), false);
-                            }
-                            yield before.with(number, new Activity(step.what(), "", List.of(), false));
-                        }
-                        case "receives" -> receives(component, before, step);
-                        case "answers" ->
-                            before.with(
-                                    number,
-                                    isLast(step)
-                                            ? null
-                                            : new Activity(
-                                                    activity.method(), activity.last(), activity.open(), true));
-                        case "asks" -> asks(component, before, step, activity);
-                        case "sends" -> acts(before, step, activity.open());
-                        case "rejects" -> before;
-                        default -> acts(before, step, Situation.after(activity, step.what()).open());
-                    };
+            Situation next = switch (step.verb()) {
+                case "accepts" -> {
+                    if (!isOutside) {
+                        component.isAlwaysAtOnce.put(step.what(), false);
+                    }
+                    yield before.with(number, new Activity(step.what(), "", List.of(), false));
+                }
+                case "receives" -> receives(component, before, step);
+                case "answers" ->
+                    before.with(
+                            number,
+                            isLast(step)
+                                    ? null
+                                    : new Activity(activity.method(), activity.last(), activity.open(), true));
+                case "asks" -> asks(component, before, step, activity);
+                case "sends" -> acts(before, step, activity.open());
+                case "rejects" -> before;
+                default ->
+                    acts(before, step, Situation.after(activity, step.what()).open());
+            };
             next = next.holding(step.isHoldingAfter());
             if (isOutside) {
                 String label = step.verb().equals("answers")
@@ -445,10 +448,7 @@ final class Recording {
                     isAnswered && isLast(step)
                             ? null
                             : new Activity(
-                                    activity.method(),
-                                    number < 0 ? "" : step.what(),
-                                    open,
-                                    activity.isAnswered()));
+                                    activity.method(), number < 0 ? "" : step.what(), open, activity.isAnswered()));
         }
 
         private void move(Component component, Situation before, String verb, String what, Situation after) {
@@ -477,7 +477,9 @@ final class Recording {
                             component,
                             now,
                             isOwed && !isOutside ? "answers" : "does",
-                            isOwed ? (isOutside ? WiringObserver.ANSWERS : "") + call.method() : "end " + activity.method(),
+                            isOwed
+                                    ? (isOutside ? WiringObserver.ANSWERS : "") + call.method()
+                                    : "end " + activity.method(),
                             next);
                     now = next;
                     if (isOwed) {
@@ -542,13 +544,17 @@ final class Recording {
                 .flatMap(other -> other.edges("rejects").map(edge -> other.name + "." + edge.what()))
                 .distinct()
                 .forEach(target -> take(component, "rejected", target));
-        component.edges("asks")
+        component
+                .edges("asks")
                 .map(Edge::what)
                 .distinct()
-                .filter(target -> component.edges("answered").noneMatch(edge -> edge.what().equals(target)))
+                .filter(target -> component
+                        .edges("answered")
+                        .noneMatch(edge -> edge.what().equals(target)))
                 .toList()
                 .forEach(target -> take(component, "answered", target));
-        int messages = (int) component.edges("receives").map(Edge::what).distinct().count();
+        int messages =
+                (int) component.edges("receives").map(Edge::what).distinct().count();
         mailboxes.computeIfPresent(component.name, (box, most) -> {
             int capacity = most;
             while (capacity > 1 && Mailboxes.contents(capacity, messages) > Mailboxes.MAX_CONTENTS) {
@@ -585,7 +591,8 @@ final class Recording {
     /** A question whose caller does nothing until it is answered is a request. */
     private static void shorten(Component component) {
         component.edges("asks").map(Edge::what).distinct().toList().forEach(target -> {
-            var waiting = component.edges("asks")
+            var waiting = component
+                    .edges("asks")
                     .filter(edge -> edge.what().equals(target))
                     .map(Edge::to)
                     .collect(Collectors.toSet());
@@ -593,9 +600,10 @@ final class Recording {
             if (isRequest) {
                 for (var state : List.copyOf(component.states.keySet())) {
                     var edges = requireNonNull(component.states.get(state)).stream()
-                            .map(edge -> edge.verb().equals("asks") && edge.what().equals(target)
-                                    ? new Edge("requests", target, next(component, edge.to()))
-                                    : edge)
+                            .map(edge ->
+                                    edge.verb().equals("asks") && edge.what().equals(target)
+                                            ? new Edge("requests", target, next(component, edge.to()))
+                                            : edge)
                             .collect(Collectors.toCollection(LinkedHashSet::new));
                     component.states.put(state, edges);
                 }

@@ -31,17 +31,17 @@ import org.jspecify.annotations.Nullable;
  * assertThat(WiringCheck.check(recorder.wiring())).isInstanceOf(Proved.class);
  * }
  *
- * <p>A state of an actor is what it has under way: the calls that it has accepted, with the last thing that each of them
- * did, and the questions that are open. So the wiring allows the calls of the runs in each order in which the states
- * were seen to follow each other. In every state in which an actor was not seen to hold its calls, it takes those that it
- * answered at once wherever it was asked, because actors do so. What no run has shown is not allowed: it is a draft, to
- * be read and corrected.
+ * <p>A state of an actor is what it has under way: the calls that it has accepted, with the last thing that each of
+ * them did, and the questions that are open. So the wiring allows the calls of the runs in each order in which the
+ * states were seen to follow each other. In every state in which an actor was not seen to hold its calls, it takes
+ * those that it answered at once wherever it was asked, because actors do so. What no run has shown is not allowed: it
+ * is a draft, to be read and corrected.
  *
  * <p>Actors that call no other actor, and that no other calls, are left out. A call from outside is a private step. A
  * mailbox is as large as was needed.
  *
- * <p><b>Role.</b> An observer of spaces, like {@link WiringObserver}, with the same names and the same translation; needs
- * {@code troupe-actor-core}.
+ * <p><b>Role.</b> An observer of spaces, like {@link WiringObserver}, with the same names and the same translation;
+ * needs {@code troupe-actor-core}.
  *
  * <p><b>Threads.</b> Any thread; spaces may share one.
  *
@@ -52,7 +52,8 @@ import org.jspecify.annotations.Nullable;
 public final class WiringRecorder implements CallObserver {
     private final String name;
     private final WiringObserver.@Nullable Translation translation;
-    private final List<List<Fact>> runs = new ArrayList<>(List.of(new ArrayList<>())); // guarded by this, as is the rest
+    private final List<List<Fact>> runs =
+            new ArrayList<>(List.of(new ArrayList<>())); // guarded by this, as is the rest
     private final Map<String, Class<?>> types = new LinkedHashMap<>();
     private final Set<String> streams = new LinkedHashSet<>();
     private final Map<Call, Asked> open = new HashMap<>();
@@ -95,7 +96,9 @@ public final class WiringRecorder implements CallObserver {
             if (translation == null) {
                 if (call.isPassedOn()) {
                     names.passing(from, to, call);
-                    open.put(call, new Asked(-1, false, "", served.map(this::served).orElse(-1)));
+                    open.put(
+                            call,
+                            new Asked(-1, false, "", served.map(this::served).orElse(-1)));
                     return;
                 }
                 if (!ActorNames.isOfTheBroker(call)) {
@@ -104,7 +107,8 @@ public final class WiringRecorder implements CallObserver {
                             ActorNames.isActor(caller) ? names.of(caller) : "", names.of(to) + "." + call.method()));
                 }
             }
-            followed.ifPresent(each -> asked(each, call, served.map(this::served).orElse(-1)));
+            followed.ifPresent(
+                    each -> asked(each, call, served.map(this::served).orElse(-1)));
         }
         if (call.isRequest()) {
             call.whenSettled(error -> settled(call, error));
@@ -171,8 +175,7 @@ public final class WiringRecorder implements CallObserver {
     // ---- the result
 
     private synchronized Recording recording() {
-        return new Recording(
-                name, runs.stream().map(List::copyOf).toList(), Map.copyOf(types), Set.copyOf(streams));
+        return new Recording(name, runs.stream().map(List::copyOf).toList(), Map.copyOf(types), Set.copyOf(streams));
     }
 
     /** The recorded wiring. */

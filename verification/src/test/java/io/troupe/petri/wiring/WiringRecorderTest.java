@@ -46,9 +46,7 @@ class WiringRecorderTest {
     private static void run(TestSpace test) {
         Server server = test.spawn(Server.class, Serving::new, ActorSettings.named("server"));
         Client client = test.spawn(
-                Client.class,
-                () -> () -> server.get().then(got -> server.put(got)),
-                ActorSettings.named("client"));
+                Client.class, () -> () -> server.get().then(got -> server.put(got)), ActorSettings.named("client"));
         client.go();
         test.runQueued();
         client.go();
@@ -151,8 +149,10 @@ class WiringRecorderTest {
                         "two has not answered deposit of one when the run ended",
                         "one has not begun content of two when the run ended");
         assertThat(WiringCheck.check(recorder.wiring()))
-                .isInstanceOfSatisfying(Deadlock.class, deadlock -> assertThat(deadlock.toString())
-                        .contains("one waits for", "two waits for one.content"));
+                .isInstanceOfSatisfying(
+                        Deadlock.class,
+                        deadlock ->
+                                assertThat(deadlock.toString()).contains("one waits for", "two waits for one.content"));
     }
 
     @Test
@@ -167,19 +167,23 @@ class WiringRecorderTest {
             });
         });
         assertThat(left.violation().orElseThrow().toString()).contains("one.content");
-        var twice = monitored(wiring, test -> pay(test, () -> new PlainAccount() {
-            @Override
-            public Promise<Integer> pay(Account to) {
-                return super.pay(to).thenCompose(first -> super.pay(to));
-            }
-        }));
+        var twice = monitored(
+                wiring,
+                test -> pay(test, () -> new PlainAccount() {
+                    @Override
+                    public Promise<Integer> pay(Account to) {
+                        return super.pay(to).thenCompose(first -> super.pay(to));
+                    }
+                }));
         assertThat(twice.violation().orElseThrow().problem()).startsWith("one asks two.deposit is not allowed");
-        var direct = monitored(wiring, test -> pay(test, () -> new PlainAccount() {
-            @Override
-            public Promise<Integer> pay(Account to) {
-                return to.content();
-            }
-        }));
+        var direct = monitored(
+                wiring,
+                test -> pay(test, () -> new PlainAccount() {
+                    @Override
+                    public Promise<Integer> pay(Account to) {
+                        return to.content();
+                    }
+                }));
         assertThat(direct.violation().orElseThrow().problem()).contains("one asks two.content is not allowed");
     }
 
@@ -190,9 +194,12 @@ class WiringRecorderTest {
             pay(test, PlainAccount::new);
         });
         var fromSource = compiled(recorder.java("io.troupe.petri.wiring", "PayWiring"), "PayWiring");
-        assertThat(fromSource.net().toString()).isEqualTo(recorder.wiring().net().toString());
-        assertThat(WiringCheck.check(fromSource)).hasToString(WiringCheck.check(recorder.wiring()).toString());
-        assertThat(fromSource.protocol("two").steps()).isEqualTo(recorder.wiring().protocol("two").steps());
+        assertThat(fromSource.net().toString())
+                .isEqualTo(recorder.wiring().net().toString());
+        assertThat(WiringCheck.check(fromSource))
+                .hasToString(WiringCheck.check(recorder.wiring()).toString());
+        assertThat(fromSource.protocol("two").steps())
+                .isEqualTo(recorder.wiring().protocol("two").steps());
         monitored(fromSource, test -> pay(test, PlainAccount::new)).check();
     }
 
@@ -224,15 +231,13 @@ class WiringRecorderTest {
     void callThatIsCancelledInTheMailbox_isRecorded() {
         Consumer<TestSpace> program = test -> {
             Server server = test.spawn(Server.class, Serving::new, ActorSettings.named("server"));
-            Client client = test.spawn(
-                    Client.class,
-                    () -> () -> server.get().cancel(),
-                    ActorSettings.named("client"));
+            Client client = test.spawn(Client.class, () -> () -> server.get().cancel(), ActorSettings.named("client"));
             client.go();
             test.runQueued();
         };
         var recorder = recorded(program);
-        assertThat(recorder.wiring().protocol("client").steps(Step.Cancels.class)).hasSize(1);
+        assertThat(recorder.wiring().protocol("client").steps(Step.Cancels.class))
+                .hasSize(1);
         monitored(recorder.wiring(), program).check();
     }
 
@@ -266,8 +271,9 @@ class WiringRecorderTest {
             test.runQueued();
         };
         assertThat(recorded(program).problems())
-                .containsExactly("client asks server.get while an earlier one of it is open, which a protocol cannot say;"
-                        + " a translation can give each its own component");
+                .containsExactly(
+                        "client asks server.get while an earlier one of it is open, which a protocol cannot say;"
+                                + " a translation can give each its own component");
         var count = new int[1];
         WiringObserver.Translation apart = (from, to, call) -> call.method().equals("get")
                 ? Optional.of(WiringObserver.Followed.of("client", "server" + (count[0]++ % 2) + ".get"))
