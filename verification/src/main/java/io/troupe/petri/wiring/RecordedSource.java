@@ -1,7 +1,7 @@
 package io.troupe.petri.wiring;
 
-import io.troupe.petri.wiring.Recording.Component;
-import io.troupe.petri.wiring.Recording.Edge;
+import io.troupe.petri.wiring.RecordedProtocols.Component;
+import io.troupe.petri.wiring.RecordedProtocols.Edge;
 import java.lang.reflect.Modifier;
 import java.util.Collection;
 import java.util.List;
@@ -11,7 +11,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** A recording as a source file, in Java and Kotlin. */
+/** Recorded protocols as a source file, in Java and Kotlin. */
 final class RecordedSource {
     private static final String BODY = "\n        ";
     private static final String JAVA = BODY + "        "; // a line that continues a statement
@@ -19,7 +19,7 @@ final class RecordedSource {
 
     private RecordedSource() {}
 
-    static String java(Recording recording, String packageName, String className) {
+    static String java(RecordedProtocols recording, String packageName, String className) {
         var text = new StringBuilder("package " + packageName + ";\n\n");
         verbs(recording)
                 .forEach(verb -> text.append("import static io.troupe.petri.wiring.Protocol.")
@@ -45,7 +45,7 @@ final class RecordedSource {
         return text.toString();
     }
 
-    static String kotlin(Recording recording, String packageName, String objectName) {
+    static String kotlin(RecordedProtocols recording, String packageName, String objectName) {
         var text = new StringBuilder("package " + packageName + "\n\n");
         Stream.concat(
                         imports(recording).stream(),
@@ -72,7 +72,7 @@ final class RecordedSource {
         return text.toString();
     }
 
-    private static Collection<String> verbs(Recording recording) {
+    private static Collection<String> verbs(RecordedProtocols recording) {
         return recording.components().stream()
                 .flatMap(component -> component.states.values().stream())
                 .flatMap(Set::stream)
@@ -80,7 +80,7 @@ final class RecordedSource {
                 .collect(Collectors.toCollection(TreeSet::new));
     }
 
-    private static List<String> imports(Recording recording) {
+    private static List<String> imports(RecordedProtocols recording) {
         var names = new TreeSet<>(List.of("io.troupe.petri.wiring.Protocol", "io.troupe.petri.wiring.Wiring"));
         if (!recording.mailboxes().isEmpty()) {
             names.add("io.troupe.petri.wiring.Overflow");
@@ -118,7 +118,7 @@ final class RecordedSource {
                 .collect(Collectors.joining("," + step, line + ".state(" + step + "\"" + state + "\"," + step, ")"));
     }
 
-    private static String whole(Recording recording, String line) {
+    private static String whole(RecordedProtocols recording, String line) {
         var text = new StringBuilder();
         recording
                 .components()

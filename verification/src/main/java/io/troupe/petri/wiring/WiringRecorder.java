@@ -5,7 +5,7 @@ import static java.util.Objects.requireNonNull;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.CallObserver;
 import io.troupe.actor.Callback;
-import io.troupe.petri.wiring.Recording.Fact;
+import io.troupe.petri.wiring.RecordedProtocols.Fact;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -174,8 +174,8 @@ public final class WiringRecorder implements CallObserver {
 
     // ---- the result
 
-    private synchronized Recording recording() {
-        return new Recording(name, runs.stream().map(List::copyOf).toList(), Map.copyOf(types), Set.copyOf(streams));
+    private synchronized RecordedProtocols recording() {
+        return new RecordedProtocols(name, runs.stream().map(List::copyOf).toList(), Map.copyOf(types), Set.copyOf(streams));
     }
 
     /** The recorded wiring. */

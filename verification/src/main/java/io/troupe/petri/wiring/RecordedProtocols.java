@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Which activity a step belongs to is known from the call that was served when it was made; a call of the component
  * itself is part of the activity that makes it.
  */
-final class Recording {
+final class RecordedProtocols {
     static final String FIRST = "idle";
 
     /** What was observed, in order. */
@@ -150,7 +150,7 @@ final class Recording {
     private final Set<String> problems = new LinkedHashSet<>();
 
     /** @param types of the components; empty if methods have other names */
-    Recording(String name, List<List<Fact>> runs, Map<String, Class<?>> types, Set<String> streams) {
+    RecordedProtocols(String name, List<List<Fact>> runs, Map<String, Class<?>> types, Set<String> streams) {
         this.name = name;
         this.runs = runs;
         this.types = types;
@@ -168,8 +168,8 @@ final class Recording {
         all.forEach(run -> run.noteOutside(activeFromOutside));
         all.forEach(Run::read);
         components.values().forEach(this::complete);
-        components.values().forEach(Recording::shorten);
-        components.values().forEach(Recording::makeUnique);
+        components.values().forEach(RecordedProtocols::shorten);
+        components.values().forEach(RecordedProtocols::makeUnique);
     }
 
     private Component component(String component) {
