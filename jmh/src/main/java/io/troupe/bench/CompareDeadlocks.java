@@ -1,6 +1,10 @@
 package io.troupe.bench;
 
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
+import io.troupe.petri.Answer.No;
+import io.troupe.petri.Answer.Unknown;
+import io.troupe.petri.Answer.Yes;
+import io.troupe.petri.DeadlockSearch.Deadlock;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
 import io.troupe.petri.PnmlException;
@@ -173,13 +177,13 @@ public final class CompareDeadlocks implements Callable<Integer> {
 
     /** An answer, and what decided it. */
     private record Decided(Answer answer, String how) {
-        static Decided of(DeadlockCheck.Result result) {
-            return switch (result) {
-                case DeadlockCheck.CanDeadlock found ->
+        static Decided of(io.troupe.petri.Answer<Deadlock> isFree) {
+            return switch (isFree) {
+                case No<Deadlock>(var found) ->
                     new Decided(Answer.YES, found.trace().size() + " firings");
-                case DeadlockCheck.Proved proof -> new Decided(Answer.NO, proof.reason());
-                case DeadlockCheck.Unknown unknown ->
-                    new Decided(Answer.UNKNOWN, unknown.end() + " after " + unknown.markings() + " markings");
+                case Yes<Deadlock>(var proof, var markings) -> new Decided(Answer.NO, proof);
+                case Unknown<Deadlock>(var end, var markings) ->
+                    new Decided(Answer.UNKNOWN, end + " after " + markings + " markings");
             };
         }
     }

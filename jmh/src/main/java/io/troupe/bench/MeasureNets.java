@@ -7,7 +7,9 @@ import static io.troupe.petri.wiring.Protocol.requests;
 import static java.util.Objects.requireNonNull;
 
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
+import io.troupe.petri.Answer;
 import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.DeadlockSearch.Deadlock;
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.ProgressSearch;
@@ -318,10 +320,9 @@ public final class MeasureNets implements Callable<Integer> {
         private static Found decide(PetriNet net) {
             var result = DeadlockCheck.decide(net, LIMITS);
             return switch (result) {
-                case DeadlockCheck.CanDeadlock dead ->
-                    new Found(dead.trace().size(), "firings", "can deadlock", result);
-                case DeadlockCheck.Proved proof -> markings(proof.markings(), "Proved", result);
-                case DeadlockCheck.Unknown unknown -> markings(unknown.markings(), "Unknown", result);
+                case Answer.No<Deadlock>(var dead) -> new Found(dead.trace().size(), "firings", "can deadlock", result);
+                case Answer.Yes<Deadlock>(var proof, var markings) -> markings(markings, "Proved", result);
+                case Answer.Unknown<Deadlock>(var end, var markings) -> markings(markings, "Unknown", result);
             };
         }
 

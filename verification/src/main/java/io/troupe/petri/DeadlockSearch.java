@@ -1,9 +1,6 @@
 package io.troupe.petri;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.List;
-import java.util.Optional;
 
 /**
  * Finds all dead markings of a net and a shortest trace to each, without visiting all markings. Where the order of
@@ -60,34 +57,18 @@ public final class DeadlockSearch {
 
     /**
      * Searches for any dead marking within {@code limits}, depth first. It is often found sooner than by {@link #run},
-     * but its trace is not always a shortest one. The result is that of {@link #run} if there is none.
+     * but its trace is not always a shortest one. The question is whether no reachable marking is dead.
      *
      * @throws ArithmeticException if a place can hold more than {@link Long#MAX_VALUE} tokens
      */
-    public static First first(PetriNet net, SearchLimits limits) {
+    public static Answer<Deadlock> first(PetriNet net, SearchLimits limits) {
         return first(net, Symmetry.none(net), limits);
     }
 
     /** Searches as {@link #first(PetriNet, SearchLimits)} does, with one marking of each orbit of {@code symmetry}. */
-    public static First first(PetriNet net, Symmetry symmetry, SearchLimits limits) {
+    public static Answer<Deadlock> first(PetriNet net, Symmetry symmetry, SearchLimits limits) {
         var visited = ReachabilityGraph.toFirstDead(net, new StubbornSets(net), symmetry, limits);
-        var found =
-                visited.dead().stream().findFirst().map(state -> new Deadlock(state.marking(), state.shortestTrace()));
-        return new First(found, found.isPresent() ? SearchEnd.COMPLETE : visited.end(), visited.size());
-    }
-
-    /**
-     * The result of {@link #first}.
-     *
-     * @param deadlock the first dead marking that was found, with the trace to it
-     * @param end why the search ended; {@link SearchEnd#COMPLETE} without a deadlock means that there is none
-     * @param visitedMarkings how many markings were visited
-     */
-    public record First(Optional<Deadlock> deadlock, SearchEnd end, int visitedMarkings) {
-        public First {
-            requireNonNull(deadlock, "deadlock");
-            requireNonNull(end, "end");
-        }
+        return new DeadlockSearch(visited).answer();
     }
 
     /**
@@ -115,6 +96,21 @@ public final class DeadlockSearch {
         return new ComputedList<>(
                 dead.size(),
                 i -> new Deadlock(dead.get(i).marking(), dead.get(i).shortestTrace()));
+    }
+
+    /** Whether no reachable marking is dead; a no has the nearest one. */
+    public Answer<Deadlock> answer() {
+        var dead = deadlocks();
+        if (!dead.isEmpty()) {
+            return new Answer.No<>(dead.getFirst());
+        }
+        var symmetry = visited.symmetry();
+        return end() == SearchEnd.COMPLETE
+                ? new Answer.Yes<>(
+                        (symmetry.isTrivial() ? "all markings" : "all orbits of markings (" + symmetry + ")")
+                                + " by stubborn sets",
+                        visitedMarkings())
+                : new Answer.Unknown<>(end(), visitedMarkings());
     }
 
     /** Whether no reachable marking is dead. */

@@ -69,43 +69,28 @@ public final class FairRuns {
         return new FairRuns(graph);
     }
 
-    /** The answer to a question. */
-    public sealed interface Answer {}
-
-    /** Every fair run does so. */
-    public record Holds() implements Answer {}
-
     /**
-     * Some fair run does not.
+     * How some fair run avoids what was asked for.
      *
      * @param trace firings from the initial marking to {@code marking}
      * @param marking the nearest one from which a fair run may avoid the goal
      * @param way firings from there, past no goal, into {@code forever}
      * @param forever where the run stays, without a goal
      */
-    public record Fails(List<Transition> trace, Marking marking, List<Transition> way, TerminalComponent forever)
-            implements Answer {
+    public record Fails(List<Transition> trace, Marking marking, List<Transition> way, TerminalComponent forever) {
         public Fails {
             trace = List.copyOf(trace);
             way = List.copyOf(way);
         }
     }
 
-    /**
-     * Not known, because the graph is incomplete.
-     *
-     * @param end why its search ended
-     * @param markings how many markings it has
-     */
-    public record Unknown(SearchEnd end, int markings) implements Answer {}
-
     /** Whether every fair run reaches markings of this kind again and again. */
-    public Answer alwaysAgain(Predicate<Marking> goal) {
+    public Answer<Fails> alwaysAgain(Predicate<Marking> goal) {
         return leadsTo(marking -> true, goal);
     }
 
     /** Whether in every fair run each marking of the kind {@code when} is, or is followed by, a {@code goal}. */
-    public Answer leadsTo(Predicate<Marking> when, Predicate<Marking> goal) {
+    public Answer<Fails> leadsTo(Predicate<Marking> when, Predicate<Marking> goal) {
         var goals = new BitSet();
         var asked = new BitSet();
         for (var state : graph.states()) {
@@ -135,10 +120,12 @@ public final class FairRuns {
         }
         for (var at = asked.nextSetBit(0); at >= 0; at = asked.nextSetBit(at + 1)) {
             if (avoiding.get(at)) {
-                return fails(graph.state(at), avoiding);
+                return new Answer.No<>(fails(graph.state(at), avoiding));
             }
         }
-        return graph.isComplete() ? new Holds() : new Unknown(graph.end(), graph.size());
+        return graph.isComplete()
+                ? new Answer.Yes<>("all fair runs", graph.size())
+                : new Answer.Unknown<>(graph.end(), graph.size());
     }
 
     /** A shortest way from a marking into a terminal component, among the markings that avoid the goal. */

@@ -1,6 +1,8 @@
 package io.troupe.demo.verify;
 
+import io.troupe.petri.Answer;
 import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.DeadlockSearch.Deadlock;
 import io.troupe.petri.Liveness;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
@@ -107,14 +109,14 @@ final class NetExamination {
                 return notKnown(unknown(search.visitedMarkings(), search.end()));
             }
             switch (DeadlockCheck.decide(net, deadlockLimits(Integer.MAX_VALUE))) {
-                case DeadlockCheck.CanDeadlock found -> {
-                    nearest = new DeadlockSearch.Deadlock(found.marking(), found.trace());
+                case Answer.No<Deadlock>(var found) -> {
+                    nearest = found;
                     return canDeadlock("", found.marking().toString(), found.trace());
                 }
-                case DeadlockCheck.Proved proof -> {
-                    return proved(proof.reason() + (proof.markings() == 0 ? "" : ", " + proof.markings() + " of them"));
+                case Answer.Yes<Deadlock>(var proof, var markings) -> {
+                    return proved(proof + (markings == 0 ? "" : ", " + markings + " of them"));
                 }
-                case DeadlockCheck.Unknown unknown -> why = unknown(unknown.markings(), unknown.end());
+                case Answer.Unknown<Deadlock>(var end, var markings) -> why = unknown(markings, end);
             }
         } catch (OutOfMemoryError e) {
             why = "the virtual machine has too little memory for a search";

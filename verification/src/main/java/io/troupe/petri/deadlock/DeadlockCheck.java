@@ -1,10 +1,10 @@
 package io.troupe.petri.deadlock;
 
 import static java.lang.System.Logger.Level.WARNING;
-import static java.util.Objects.requireNonNull;
 
+import io.troupe.petri.Answer;
 import io.troupe.petri.DeadlockSearch;
-import io.troupe.petri.Marking;
+import io.troupe.petri.DeadlockSearch.Deadlock;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
@@ -15,16 +15,15 @@ import io.troupe.petri.structure.DeadlockEquation;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 
 /**
- * Decides whether a net can deadlock: whether it can reach a marking in which no transition may fire. It needs far
- * fewer markings than {@link DeadlockSearch}, but finds one dead marking and not all of them, and its trace is not
- * always a shortest one.
+ * Decides whether a net is free of deadlock: whether it never reaches a marking in which no transition may fire. It
+ * needs far fewer markings than {@link DeadlockSearch}, but finds one dead marking and not all of them, and its trace
+ * is not always a shortest one.
  *
  * <p>The net is reduced first, by rules that keep whether it can deadlock. Then come, from cheap to dear, a short hunt
  * for a counterexample, a proof without a search, a longer hunt, and last all markings of the reduced net by stubborn
@@ -34,7 +33,7 @@ import java.util.function.Function;
  *
  * {@snippet :
  * var result = DeadlockCheck.decide(net, SearchLimits.markings(1_000_000));
- * assertThat(result).isInstanceOf(DeadlockCheck.Proved.class);
+ * assertThat(result).isInstanceOf(Answer.Yes.class);
  * }
  *
  * <p><b>Threads.</b> Thread-safe.
@@ -92,65 +91,23 @@ public final class DeadlockCheck {
         EQUAL_PARTS
     }
 
-    /** The result of {@link #decide}. */
-    public sealed interface Result {}
-
-    /**
-     * The net can deadlock.
-     *
-     * @param marking a reachable marking in which no transition may fire
-     * @param trace a firing sequence that leads there from the initial marking; no single firing can be left out of it,
-     *     unless it has many thousand
-     */
-    public record CanDeadlock(Marking marking, List<Transition> trace) implements Result {
-        public CanDeadlock {
-            requireNonNull(marking, "marking");
-            trace = List.copyOf(trace);
-        }
-    }
-
-    /**
-     * No reachable marking is dead.
-     *
-     * @param reason in words
-     * @param markings how many markings of the reduced net were visited for the proof, or orbits of these if it has
-     *     equal parts; 0 without a search
-     */
-    public record Proved(String reason, int markings) implements Result {
-        public Proved {
-            requireNonNull(reason, "reason");
-        }
-    }
-
-    /**
-     * Not known.
-     *
-     * @param end why the search ended
-     * @param markings how many markings of the reduced net, or orbits of these, were visited; none of them is dead
-     */
-    public record Unknown(SearchEnd end, int markings) implements Result {
-        public Unknown {
-            requireNonNull(end, "end");
-        }
-    }
-
     /** Searches up to {@link ReachabilityGraph#DEFAULT_MAX_MARKINGS} markings of the reduced net. */
-    public static Result decide(PetriNet net) {
+    public static Answer<Deadlock> decide(PetriNet net) {
         return decide(net, SearchLimits.markings(ReachabilityGraph.DEFAULT_MAX_MARKINGS));
     }
 
     /** Searches within {@code limits}, which apply to the last search; cancellation ends all of them. */
-    public static Result decide(PetriNet net, SearchLimits limits) {
+    public static Answer<Deadlock> decide(PetriNet net, SearchLimits limits) {
         return decide(net, EnumSet.allOf(Reduction.class), limits);
     }
 
     /** Searches within {@code limits} with only these {@code reductions}. */
-    public static Result decide(PetriNet net, Set<Reduction> reductions, SearchLimits limits) {
+    public static Answer<Deadlock> decide(PetriNet net, Set<Reduction> reductions, SearchLimits limits) {
         return decide(net, reductions, limits, rules -> Reducer.reduce(net, rules, limits.cancelled()));
     }
 
     /** With another way to apply reductions. */
-    static Result decide(
+    static Answer<Deadlock> decide(
             PetriNet net,
             Set<Reduction> reductions,
             SearchLimits limits,
@@ -158,7 +115,7 @@ public final class DeadlockCheck {
         return new DeadlockCheck(net, reductions, limits, reducing).decide();
     }
 
-    private Result decide() {
+    private Answer<Deadlock> decide() {
         var cheap = EnumSet.noneOf(Reduction.class);
         cheap.addAll(reductions);
         cheap.remove(Reduction.IMPLIED_PLACES);
@@ -179,11 +136,16 @@ public final class DeadlockCheck {
                 ? Symmetry.find(reduced.net())
                 : Symmetry.none(reduced.net());
         var most = fewMarkings(reduced.net().transitions().size());
-        var few = search(reduced, symmetry, limits.atMost(most));
-        if (!(few instanceof Unknown unknown) || unknown.end() != SearchEnd.LIMIT || unknown.markings() < most) {
+        var few = ofNet(
+                reduced,
+                DeadlockSearch.run(reduced.net(), symmetry, limits.atMost(most)).answer());
+        if (!(few instanceof Answer.Unknown<Deadlock> unknown)
+                || unknown.end() != SearchEnd.LIMIT
+                || unknown.markings() < most) {
             return few;
         }
-        return withoutSearch(reduced).orElseGet(() -> searchDepthFirst(reduced, symmetry));
+        return withoutSearch(reduced)
+                .orElseGet(() -> ofNet(reduced, DeadlockSearch.first(reduced.net(), symmetry, limits)));
     }
 
     private static int fewMarkings(int transitions) {
@@ -191,19 +153,20 @@ public final class DeadlockCheck {
     }
 
     /** A proof and hunts that take a second or two. */
-    private Optional<Result> withoutSearch(Reducer.Reduced reduced) {
+    private Optional<Answer<Deadlock>> withoutSearch(Reducer.Reduced reduced) {
         var hint = new HashMap<Transition, Long>();
         var proof = DeadlockEquation.solve(reduced.net(), MAX_EQUATION_WORK, limits.cancelled(), hint::putAll);
         if (proof.isPresent()) {
-            return Optional.of(new Proved(
+            return Optional.of(new Answer.Yes<>(
                     "no dead marking of the reduced net satisfies the state equation: "
                             + proof.get().contradictions() + " cases",
                     0));
         }
-        return (hint.isEmpty() ? Optional.<Result>empty() : guided(reduced, hint)).or(() -> hunt(reduced, LONG_HUNT));
+        return (hint.isEmpty() ? Optional.<Answer<Deadlock>>empty() : guided(reduced, hint))
+                .or(() -> hunt(reduced, LONG_HUNT));
     }
 
-    private Optional<Result> guided(Reducer.Reduced reduced, Map<Transition, Long> hint) {
+    private Optional<Answer<Deadlock>> guided(Reducer.Reduced reduced, Map<Transition, Long> hint) {
         var counts = reduced.net().transitions().stream()
                 .mapToInt(t -> Math.clamp(hint.getOrDefault(t, 0L), 0, MAX_COUNT))
                 .toArray();
@@ -212,8 +175,8 @@ public final class DeadlockCheck {
                 .map(trace -> canDeadlock(reduced, trace));
     }
 
-    private static Proved byReduction() {
-        return new Proved("reductions leave a transition that needs no tokens", 0);
+    private static Answer<Deadlock> byReduction() {
+        return new Answer.Yes<>("reductions leave a transition that needs no tokens", 0);
     }
 
     private static boolean neverDead(Reducer.Reduced reduced) {
@@ -221,49 +184,30 @@ public final class DeadlockCheck {
                 .anyMatch(t -> t.inputs().isEmpty() && t.inhibitors().isEmpty());
     }
 
-    private Optional<Result> hunt(Reducer.Reduced reduced, long firings) {
+    private Optional<Answer<Deadlock>> hunt(Reducer.Reduced reduced, long firings) {
         return new CounterexampleHunt(reduced.net(), limits.cancelled())
                 .run(firings)
                 .map(trace -> canDeadlock(reduced, trace));
     }
 
-    /** The nearest dead marking of the reduced net, if there is one among the first markings. */
-    private Result search(Reducer.Reduced reduced, Symmetry symmetry, SearchLimits within) {
-        var search = DeadlockSearch.run(reduced.net(), symmetry, within);
-        var nearest = search.deadlocks().stream().findFirst();
-        return result(reduced, symmetry, nearest, search.end(), search.visitedMarkings());
-    }
-
-    private Result searchDepthFirst(Reducer.Reduced reduced, Symmetry symmetry) {
-        var search = DeadlockSearch.first(reduced.net(), symmetry, limits);
-        return result(reduced, symmetry, search.deadlock(), search.end(), search.visitedMarkings());
-    }
-
-    private Result result(
-            Reducer.Reduced reduced,
-            Symmetry symmetry,
-            Optional<DeadlockSearch.Deadlock> dead,
-            SearchEnd end,
-            int markings) {
-        if (dead.isPresent()) {
-            var trace = dead.get().trace();
-            return canDeadlock(
-                    reduced, trace.stream().mapToInt(Transition::index).toArray());
-        }
-        return end == SearchEnd.COMPLETE
-                ? new Proved(
-                        symmetry.isTrivial()
-                                ? "all markings of the reduced net by stubborn sets"
-                                : "all orbits of markings of the reduced net (" + symmetry + ") by stubborn sets",
-                        markings)
-                : new Unknown(end, markings);
+    /** What the answer about the reduced net is for the net. */
+    private Answer<Deadlock> ofNet(Reducer.Reduced reduced, Answer<Deadlock> ofReduced) {
+        return switch (ofReduced) {
+            case Answer.No<Deadlock>(var dead) ->
+                canDeadlock(
+                        reduced,
+                        dead.trace().stream().mapToInt(Transition::index).toArray());
+            case Answer.Yes<Deadlock>(var proof, var markings) ->
+                new Answer.Yes<>("of the reduced net, " + proof, markings);
+            case Answer.Unknown<Deadlock> unknown -> unknown;
+        };
     }
 
     /**
      * A dead marking of the net itself. If the trace of the reduced net leads to none, a reduction or its translation
      * is wrong: then the net is searched as it is.
      */
-    private Result canDeadlock(Reducer.Reduced reduced, int[] trace) {
+    private Answer<Deadlock> canDeadlock(Reducer.Reduced reduced, int[] trace) {
         var whole = reduced.translate(trace);
         if (!TraceShortener.leadsToDeadMarking(net, whole)) {
             if (reductions.isEmpty()) {
@@ -280,6 +224,6 @@ public final class DeadlockCheck {
         var transitions = Arrays.stream(new TraceShortener(net).shorten(whole))
                 .mapToObj(net.transitions()::get)
                 .toList();
-        return new CanDeadlock(net.fire(net.initialMarking(), transitions), transitions);
+        return new Answer.No<>(new Deadlock(net.fire(net.initialMarking(), transitions), transitions));
     }
 }

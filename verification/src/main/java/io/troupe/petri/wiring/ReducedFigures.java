@@ -45,12 +45,12 @@ public record ReducedFigures(
     }
 
     /** The figures of a proof that there are no dead markings. */
-    static ReducedFigures of(DeadlockCheck.Proved proof) {
-        return new ReducedFigures("reductions", proof.markings(), 0, 0, SearchEnd.COMPLETE, false);
+    static ReducedFigures ofProof(int markings) {
+        return new ReducedFigures("reductions", markings, 0, 0, SearchEnd.COMPLETE, false);
     }
 
     /** The figures of a counterexample: its own markings. */
-    static ReducedFigures of(DeadlockCheck.CanDeadlock found) {
+    static ReducedFigures of(DeadlockSearch.Deadlock found) {
         var steps = found.trace().size();
         return new ReducedFigures("a hunt", steps + 1, steps, 1, SearchEnd.LIMIT, false);
     }

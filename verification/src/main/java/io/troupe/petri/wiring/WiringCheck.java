@@ -1,5 +1,6 @@
 package io.troupe.petri.wiring;
 
+import io.troupe.petri.Answer;
 import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
@@ -8,7 +9,6 @@ import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Symmetry;
 import io.troupe.petri.Transition;
 import io.troupe.petri.deadlock.DeadlockCheck;
-import io.troupe.petri.deadlock.DeadlockCheck.CanDeadlock;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -119,7 +119,7 @@ public final class WiringCheck {
      * @param found one dead marking of a large net
      */
     private record Deadlocks(
-            ReducedFigures figures, List<DeadlockSearch.Deadlock> nearest, Optional<CanDeadlock> found) {
+            ReducedFigures figures, List<DeadlockSearch.Deadlock> nearest, Optional<DeadlockSearch.Deadlock> found) {
         static Deadlocks of(DeadlockSearch search) {
             return new Deadlocks(ReducedFigures.of(search), search.deadlocks(), Optional.empty());
         }
@@ -183,9 +183,11 @@ public final class WiringCheck {
             return Deadlocks.of(DeadlockSearch.run(net.net(), affordable(limits, work)));
         }
         return switch (DeadlockCheck.decide(net.net(), affordable(limits, work))) {
-            case CanDeadlock found -> new Deadlocks(ReducedFigures.of(found), List.of(), Optional.of(found));
-            case DeadlockCheck.Proved proof -> new Deadlocks(ReducedFigures.of(proof), List.of(), Optional.empty());
-            case DeadlockCheck.Unknown unknown -> Deadlocks.of(first);
+            case Answer.No<DeadlockSearch.Deadlock>(var found) ->
+                new Deadlocks(ReducedFigures.of(found), List.of(), Optional.of(found));
+            case Answer.Yes<DeadlockSearch.Deadlock>(var proof, var markings) ->
+                new Deadlocks(ReducedFigures.ofProof(markings), List.of(), Optional.empty());
+            case Answer.Unknown<DeadlockSearch.Deadlock> unknown -> Deadlocks.of(first);
         };
     }
 

@@ -1,5 +1,7 @@
 package io.troupe.petri.wiring;
 
+import io.troupe.petri.Answer.No;
+import io.troupe.petri.Answer.Yes;
 import io.troupe.petri.FairRuns;
 import io.troupe.petri.Marking;
 import io.troupe.petri.Place;
@@ -255,11 +257,11 @@ public final class WiringProgress {
         return open;
     }
 
-    private Answer answer(FairRuns.Answer answer, String sentence) {
+    private Answer answer(io.troupe.petri.Answer<FairRuns.Fails> answer, String sentence) {
         return switch (answer) {
-            case FairRuns.Holds holds -> Holds.PROVED;
-            case FairRuns.Unknown unknown -> new Unknown(unknown.end(), unknown.markings());
-            case FairRuns.Fails fails -> {
+            case Yes<FairRuns.Fails> yes -> Holds.PROVED;
+            case io.troupe.petri.Answer.Unknown<FairRuns.Fails>(var end, var markings) -> new Unknown(end, markings);
+            case No<FairRuns.Fails>(var fails) -> {
                 var forever = new ArrayList<Transition>(net.net().transitions());
                 forever.removeAll(fails.forever().neverFired());
                 yield fails(

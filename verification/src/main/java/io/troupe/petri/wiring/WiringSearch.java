@@ -6,7 +6,6 @@ import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.ReachabilityGraph.State;
-import io.troupe.petri.deadlock.DeadlockCheck;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -49,7 +48,7 @@ final class WiringSearch {
     }
 
     /** The counterexample of a dead marking that need not be the nearest. */
-    Counterexample deadlock(DeadlockCheck.CanDeadlock found) {
+    Counterexample deadlock(DeadlockSearch.Deadlock found) {
         return explainer.explain(found.marking(), found.trace(), false, net.chosen());
     }
 

@@ -3,6 +3,11 @@ package io.troupe.petri.deadlock;
 import static io.troupe.petri.Nets.net;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.petri.Answer;
+import io.troupe.petri.Answer.No;
+import io.troupe.petri.Answer.Unknown;
+import io.troupe.petri.Answer.Yes;
+import io.troupe.petri.DeadlockSearch.Deadlock;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PetriNet;
@@ -11,10 +16,7 @@ import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.TokenGame;
 import io.troupe.petri.Transition;
-import io.troupe.petri.deadlock.DeadlockCheck.CanDeadlock;
-import io.troupe.petri.deadlock.DeadlockCheck.Proved;
 import io.troupe.petri.deadlock.DeadlockCheck.Reduction;
-import io.troupe.petri.deadlock.DeadlockCheck.Unknown;
 import io.troupe.tools.Thorough;
 import java.util.EnumMap;
 import java.util.EnumSet;
@@ -54,6 +56,10 @@ class DeadlockCheckTest {
         return net.build();
     }
 
+    private static Deadlock dead(Answer<Deadlock> answer) {
+        return ((No<Deadlock>) answer).counterexample();
+    }
+
     private static boolean isDead(PetriNet net, List<Transition> trace) {
         return net.enabled(net.fire(net.initialMarking(), trace)).isEmpty();
     }
@@ -62,7 +68,7 @@ class DeadlockCheckTest {
     @CsvSource({"2", "5", "50", "300"})
     void philosophers_deadlockInOneFiringEach(int count) {
         var net = philosophers(count, false);
-        var result = (CanDeadlock) DeadlockCheck.decide(net, SearchLimits.markings(1));
+        var result = dead(DeadlockCheck.decide(net, SearchLimits.markings(1)));
         assertThat(result.trace()).hasSize(count);
         assertThat(result.marking().marked())
                 .hasSize(count)
@@ -73,7 +79,7 @@ class DeadlockCheckTest {
     @ParameterizedTest
     @CsvSource({"2", "6"})
     void oneLeftHandedPhilosopher_preventsIt(int count) {
-        var result = (Proved) DeadlockCheck.decide(philosophers(count, true));
+        var result = (Yes<Deadlock>) DeadlockCheck.decide(philosophers(count, true));
         assertThat(result.markings()).isLessThan(1000);
     }
 
@@ -81,22 +87,21 @@ class DeadlockCheckTest {
     void manyPhilosophers_withOneLeftHanded_areProvedWithoutASearch() {
         var net = philosophers(50, true);
         var result = DeadlockCheck.decide(net, SearchLimits.markings(1_000_000));
-        assertThat(result).isInstanceOf(DeadlockCheck.Proved.class);
-        assertThat(((Proved) result).markings()).isZero();
+        assertThat(result).isInstanceOf(Yes.class);
+        assertThat(((Yes<Deadlock>) result).markings()).isZero();
     }
 
     @Test
     void result_tellsWhyItIsNotKnown() {
         var net = philosophers(6, true);
         assertThat(DeadlockCheck.decide(net, Set.of(), SearchLimits.markings(10)))
-                .isEqualTo(new Unknown(SearchEnd.LIMIT, 10));
+                .isEqualTo(new Unknown<>(SearchEnd.LIMIT, 10));
         assertThat(DeadlockCheck.decide(net, LIMITS.cancelledBy(() -> true)))
                 .isInstanceOfSatisfying(
                         Unknown.class, unknown -> assertThat(unknown.end()).isEqualTo(SearchEnd.CANCELLED));
         assertThat(DeadlockCheck.decide(net("free", "n", "up: > n")))
-                .isEqualTo(new Proved("reductions leave a transition that needs no tokens", 0));
-        assertThat(((CanDeadlock) DeadlockCheck.decide(net("still", "n"))).trace())
-                .isEmpty();
+                .isEqualTo(new Yes<>("reductions leave a transition that needs no tokens", 0));
+        assertThat(dead(DeadlockCheck.decide(net("still", "n"))).trace()).isEmpty();
     }
 
     /**
@@ -160,7 +165,7 @@ class DeadlockCheckTest {
                 "t3: p5 y > a b x u",
                 "c1: u > y",
                 "c2: u >");
-        var found = (CanDeadlock) DeadlockCheck.decide(net);
+        var found = dead(DeadlockCheck.decide(net));
         assertThat(found.marking()).hasToString("{p5}");
         assertThat(found.trace()).extracting(Transition::name).containsExactlyInAnyOrder("t0", "t2", "c2");
         for (var reading : PaperNets.Reading.values()) {
@@ -169,7 +174,7 @@ class DeadlockCheckTest {
                 rules.remove(rule);
                 assertThat(DeadlockCheck.decide(PaperNets.uncorrected(reading), rules, LIMITS))
                         .as("%s without %s", reading, rule)
-                        .isInstanceOf(CanDeadlock.class);
+                        .isInstanceOf(No.class);
             }
         }
     }
@@ -191,10 +196,10 @@ class DeadlockCheckTest {
             compare(seed, net, graph, RULES);
             var result = DeadlockCheck.decide(net, LIMITS);
             if (graph.dead().isEmpty()) {
-                assertThat(result).as("seed %d", seed).isInstanceOf(Proved.class);
+                assertThat(result).as("seed %d", seed).isInstanceOf(Yes.class);
             } else {
-                assertThat(result).as("seed %d", seed).isInstanceOf(CanDeadlock.class);
-                assertThat(isDead(net, ((CanDeadlock) result).trace()))
+                assertThat(result).as("seed %d", seed).isInstanceOf(No.class);
+                assertThat(isDead(net, dead(result).trace()))
                         .as("seed %d", seed)
                         .isTrue();
             }
@@ -210,8 +215,8 @@ class DeadlockCheckTest {
         var net = net("two ways", "a=1 b c d", "left: a > b", "on: b > c", "back: c > a", "right: a > d");
         var other = net("other", "a=1 b c d", "left: a > b", "on: a > c", "back: a > d", "right: d > a");
         var free = net("free", "a=1 b", "turn: a > a", "left: a > a b", "on: b >", "back: b >");
-        var found = (CanDeadlock) DeadlockCheck.decide(
-                net, EnumSet.allOf(Reduction.class), LIMITS, rules -> Reducer.reduce(other, Set.of(), () -> false));
+        var found = dead(DeadlockCheck.decide(
+                net, EnumSet.allOf(Reduction.class), LIMITS, rules -> Reducer.reduce(other, Set.of(), () -> false)));
         assertThat(found.trace()).extracting(Transition::name).containsExactly("right");
         assertThat(DeadlockCheck.decide(
                         free,
@@ -219,7 +224,7 @@ class DeadlockCheckTest {
                         LIMITS,
                         rules -> Reducer.reduce(other, Set.of(), () -> false)))
                 .as("a net without a dead marking")
-                .isInstanceOf(Proved.class);
+                .isInstanceOf(Yes.class);
     }
 
     /** The marking after "turn" has the fingerprint of the one before it, but "turn" is no loop. */
@@ -237,7 +242,7 @@ class DeadlockCheckTest {
                 net.arc("turn", "p" + p, change).arc("p" + p, "end", change);
             }
         }
-        var found = (CanDeadlock) DeadlockCheck.decide(net.build(), Set.of(), LIMITS);
+        var found = dead(DeadlockCheck.decide(net.build(), Set.of(), LIMITS));
         assertThat(found.trace()).extracting(Transition::name).containsExactly("turn", "end");
     }
 
@@ -259,7 +264,7 @@ class DeadlockCheckTest {
                 .arc("other", "e", large)
                 .transition("end", List.of("e"), List.of())
                 .build();
-        assertThat(((CanDeadlock) DeadlockCheck.decide(net)).marking()).hasToString("{b}");
+        assertThat(dead(DeadlockCheck.decide(net)).marking()).hasToString("{b}");
     }
 
     @Test
@@ -274,18 +279,19 @@ class DeadlockCheckTest {
                 continue;
             }
             switch (DeadlockCheck.decide(net, LIMITS)) {
-                case CanDeadlock dead -> {
+                case No<Deadlock>(var dead) -> {
                     found++;
                     assertThat(isDead(net, dead.trace())).as("seed %d", seed).isTrue();
                     assertThat(net.fire(net.initialMarking(), dead.trace())).isEqualTo(dead.marking());
                     var nearest = graph.dead().getFirst().shortestTrace().size();
                     assertThat(dead.trace()).as("seed %d", seed).hasSizeGreaterThanOrEqualTo(nearest);
                 }
-                case Proved proof -> {
+                case Yes<Deadlock> proof -> {
                     proved++;
                     assertThat(graph.dead()).as("seed %d: %s", seed, proof).isEmpty();
                 }
-                case Unknown unknown -> assertThat(unknown).as("seed %d", seed).isNull();
+                case Unknown<Deadlock> unknown ->
+                    assertThat(unknown).as("seed %d", seed).isNull();
             }
         }
         assertThat(found).isGreaterThan(Thorough.times(20, 400));
@@ -309,17 +315,17 @@ class DeadlockCheckTest {
             proved += graph.dead().isEmpty() ? 1 : 0;
             for (var rules : alternatives()) {
                 switch (DeadlockCheck.decide(net, rules, LIMITS)) {
-                    case CanDeadlock dead ->
+                    case No<Deadlock>(var dead) ->
                         assertThat(isDead(net, dead.trace()))
                                 .as("seed %d, %s", seed, rules)
                                 .isTrue();
-                    case Proved proof -> {
+                    case Yes<Deadlock> proof -> {
                         assertThat(graph.dead())
                                 .as("seed %d, %s: %s", seed, rules, proof)
                                 .isEmpty();
-                        byOrbits += proof.reason().contains("equal parts") ? 1 : 0;
+                        byOrbits += proof.proof().contains("equal parts") ? 1 : 0;
                     }
-                    case Unknown unknown ->
+                    case Unknown<Deadlock> unknown ->
                         assertThat(unknown).as("seed %d, %s", seed, rules).isNull();
                 }
             }
@@ -351,8 +357,8 @@ class DeadlockCheckTest {
             net.transition("back" + i, List.of("both" + i), List.of("idle" + i)).arc("back" + i, "units", 2);
         }
         assertThat(DeadlockCheck.decide(net.build(), SearchLimits.markings(100)))
-                .isEqualTo(new Proved(
-                        "all orbits of markings of the reduced net (" + count + " equal parts) by stubborn sets",
+                .isEqualTo(new Yes<>(
+                        "of the reduced net, all orbits of markings (" + count + " equal parts) by stubborn sets",
                         count + 1));
     }
 }
