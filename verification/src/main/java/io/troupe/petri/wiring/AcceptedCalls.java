@@ -34,7 +34,7 @@ final class AcceptedCalls {
             String open,
             List<String> answered,
             List<String> rejected) {
-        /** Where an answer goes that nobody waits for. */
+        /** Where an answer goes that no caller waits for. */
         boolean isGone() {
             return asked.isEmpty();
         }
@@ -52,7 +52,7 @@ final class AcceptedCalls {
         draft = net.draft();
     }
 
-    /** Adds a caller that waits for its answer; {@code words} say who it is. */
+    /** Adds a caller that waits for its answer; {@code words} name it. */
     void request(
             String caller,
             String words,
@@ -164,7 +164,7 @@ final class AcceptedCalls {
                 joined(out, WiringNet.at(provider, step.to())));
     }
 
-    /** The end of a call from outside, which nobody in the net waits for. */
+    /** The end of a call from outside, which no component of the net waits for. */
     private void outside(String provider, Step step, String call) {
         if (!net.isCalled(provider, call)) {
             var label = net.labels().label(provider, wiring.protocol(provider), step);

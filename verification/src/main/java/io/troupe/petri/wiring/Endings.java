@@ -124,7 +124,7 @@ final class Endings {
         for (var way : ways) {
             var words = new ArrayList<String>();
             way.forEach((component, state) -> words.add(component + " in " + state));
-            end("nobody calls " + String.join(" and ", words) + " any more", way, callers);
+            end("no component calls " + String.join(" and ", words) + " any more", way, callers);
         }
         ended.addAll(group);
         return true;

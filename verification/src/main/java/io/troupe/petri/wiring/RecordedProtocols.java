@@ -426,7 +426,7 @@ final class RecordedProtocols {
                     .anyMatch(each -> each.open().contains(step.what()));
             if (isOpen) {
                 problems.add(component.name + " asks " + step.what()
-                        + " while an earlier one of it is open, which a protocol cannot say; a translation can give each"
+                        + " while an earlier one of it is open, which a protocol cannot express; a translation can give each"
                         + " its own component");
             }
             var open = Stream.concat(activity.open().stream(), Stream.of(step.what()))

@@ -13,8 +13,8 @@ import java.util.Set;
  * The steps of a trace for a reader. A call is one step if its caller and its provider do nothing else from the request
  * to the answer, and so is what a component has decided and does next.
  *
- * <p>The one step is told where the last of its firings is. The firings of others in between take no tokens of these
- * two components, so they may come first: what is told is a firing sequence to the same marking.
+ * <p>The one step stands where the last of its firings is. The firings of others in between take no tokens of these two
+ * components, so they may come first: the steps are a firing sequence to the same marking.
  */
 final class ToldSteps {
     private final List<WiringNet.Event> events;

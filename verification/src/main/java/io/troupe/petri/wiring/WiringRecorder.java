@@ -47,7 +47,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Cost.</b> Memory for each call.
  *
- * <p><b>Errors.</b> What a protocol cannot say, or what looks like a mistake of the program, is in {@link #problems}.
+ * <p><b>Errors.</b> What a protocol cannot express, or what looks like a mistake of the program, is in {@link #problems}.
  */
 public final class WiringRecorder implements CallObserver {
     private final String name;
@@ -175,7 +175,8 @@ public final class WiringRecorder implements CallObserver {
     // ---- the result
 
     private synchronized RecordedProtocols recording() {
-        return new RecordedProtocols(name, runs.stream().map(List::copyOf).toList(), Map.copyOf(types), Set.copyOf(streams));
+        return new RecordedProtocols(
+                name, runs.stream().map(List::copyOf).toList(), Map.copyOf(types), Set.copyOf(streams));
     }
 
     /** The recorded wiring. */
@@ -183,7 +184,7 @@ public final class WiringRecorder implements CallObserver {
         return recording().wiring();
     }
 
-    /** What the wiring does not say, or what looks wrong: a call that was never answered. */
+    /** What the wiring does not express, or what looks wrong: a call that was never answered. */
     public List<String> problems() {
         return recording().problems();
     }

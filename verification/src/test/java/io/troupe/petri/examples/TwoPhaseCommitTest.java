@@ -24,8 +24,8 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /**
- * Two participants commit together, or not at all. A participant that gives up by itself blocks nobody; whether the two
- * agree is a question about safety.
+ * Two participants commit together, or not at all. A participant that gives up by itself blocks no other; whether the
+ * two agree is a question about safety.
  */
 class TwoPhaseCommitTest {
     /** Each of two participants votes, and the coordinator commits if both agree; one may give up by itself. */

@@ -624,7 +624,7 @@ final class Simulation {
             return ends;
         }
 
-        /** The end of an accepted call, which is owed: someone is answered, or nobody waits any more. */
+        /** The end of an accepted call, which is owed: a caller is answered, or none waits any more. */
         private void end(String me, String call, Kind kind, Consumer<World> arrive) {
             var ends = ends(me, call, kind == Kind.ANSWERED);
             if (ends.isEmpty()) {
