@@ -290,4 +290,46 @@ class WiringRecorderTest {
         }
         monitor.check();
     }
+
+    /** A reader asks the payer for its content: before a payment, or while that waits. */
+    private static void payAndRead(TestSpace test, Supplier<Account> payer, boolean isReadMeanwhile) {
+        var deposited = new Deferred<Integer>();
+        Account one = test.spawn(Account.class, payer, ActorSettings.named("one"));
+        Account two = test.spawn(
+                Account.class,
+                () -> new PlainAccount() {
+                    @Override
+                    public Promise<Integer> deposit(Account from) {
+                        return deposited;
+                    }
+                },
+                ActorSettings.named("two"));
+        Client reader = test.spawn(Client.class, () -> one::content, ActorSettings.named("reader"));
+        if (!isReadMeanwhile) {
+            reader.go();
+            test.runQueued();
+        }
+        one.pay(two);
+        test.runQueued();
+        if (isReadMeanwhile) {
+            reader.go();
+            test.runQueued();
+        }
+        deposited.resolve(1);
+        test.runQueued();
+    }
+
+    @Test
+    void callThatIsAnsweredAtOnce_isTakenInEachState_unlessTheActorHoldsItsCalls() {
+        var plain = recorded(test -> payAndRead(test, PlainAccount::new, false)).wiring();
+        monitored(plain, test -> payAndRead(test, PlainAccount::new, true)).check();
+        var holding =
+                recorded(test -> payAndRead(test, HoldingAccount::new, false)).wiring();
+        assertThat(monitored(holding, test -> payAndRead(test, PlainAccount::new, true))
+                        .violation()
+                        .orElseThrow()
+                        .problem())
+                .startsWith("one takes content from reader is not allowed: one waits for the answer of two.deposit");
+        monitored(holding, test -> payAndRead(test, HoldingAccount::new, true)).check();
+    }
 }
