@@ -7,8 +7,8 @@ import static java.util.Objects.requireNonNull;
  * with the reason.
  *
  * {@snippet :
- * var answer = DeadlockCheck.decide(net, SearchLimits.markings(1_000_000));
- * assertThat(answer).isInstanceOf(Answer.Yes.class);
+ * var result = DeadlockCheck.decide(net, SearchLimits.markings(1_000_000));
+ * assertThat(result).isInstanceOf(Yes.class);
  * }
  *
  * <p><b>Role.</b> From {@link io.troupe.petri.deadlock.DeadlockCheck}, {@link DeadlockSearch#first} and

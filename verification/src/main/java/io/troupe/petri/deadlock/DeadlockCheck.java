@@ -33,7 +33,7 @@ import java.util.function.Function;
  *
  * {@snippet :
  * var result = DeadlockCheck.decide(net, SearchLimits.markings(1_000_000));
- * assertThat(result).isInstanceOf(Answer.Yes.class);
+ * assertThat(result).isInstanceOf(Yes.class);
  * }
  *
  * <p><b>Threads.</b> Thread-safe.
