@@ -47,7 +47,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Cost.</b> Memory for each call.
  *
- * <p><b>Errors.</b> What a protocol cannot express, or what looks like a mistake of the program, is in {@link #problems}.
+ * <p><b>Errors.</b> What a protocol cannot express, or what looks like a mistake of the program, is in
+ * {@link #problems}.
  */
 public final class WiringRecorder implements CallObserver {
     private final String name;
