@@ -14,7 +14,7 @@ final class CompiledNet {
     final int[][] inhibitors;
 
     final int[][] inhibitorWeights;
-    /** By transition: the places that a firing changes, in their order, and by how much. */
+    /** By transition: the places that a firing changes, and by how much. */
     final int[][] changed;
 
     final int[][] changes;
@@ -61,7 +61,6 @@ final class CompiledNet {
         t.outputs().forEach(arc -> sums[arc.place().index()] += arc.weight());
         var touched = Stream.concat(t.inputs().stream(), t.outputs().stream())
                 .mapToInt(arc -> arc.place().index())
-                .sorted()
                 .distinct()
                 .toArray();
         changed[t.index()] =

@@ -1,6 +1,7 @@
 package io.troupe.petri;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
@@ -118,6 +119,7 @@ public final class TokenGame {
     public List<Integer> effect(int transition) {
         return IntStream.range(0, net.changed[transition].length)
                 .boxed()
+                .sorted(Comparator.comparingInt(i -> net.changed[transition][i]))
                 .flatMap(i -> Stream.of(net.changed[transition][i], net.changes[transition][i]))
                 .toList();
     }

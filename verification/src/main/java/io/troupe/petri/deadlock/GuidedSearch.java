@@ -34,6 +34,7 @@ final class GuidedSearch {
 
     private int[] path = new int[100];
     private int length;
+    private @Nullable Node here;
 
     /**
      * Creates a search.
@@ -81,27 +82,35 @@ final class GuidedSearch {
         return Optional.empty();
     }
 
-    /** Changes the marking from that of {@code path} to that of {@code node}. */
+    /** Changes the marking from that of {@code path} to that of {@code node}; mostly this is one firing more. */
     private void goTo(Node node) {
-        var wanted = new int[node.depth];
-        for (var at = node; at.before != null; at = at.before) {
-            wanted[at.depth - 1] = at.transition;
+        if (node.before != null && node.before == here) {
+            fire(node.transition);
+        } else {
+            var wanted = new int[node.depth];
+            for (var at = node; at.before != null; at = at.before) {
+                wanted[at.depth - 1] = at.transition;
+            }
+            var common = Arrays.mismatch(path, 0, length, wanted, 0, wanted.length);
+            common = common < 0 ? length : common;
+            while (length > common) {
+                var t = path[--length];
+                game.takeBack(t);
+                left[effects[t]]++;
+            }
+            while (length < wanted.length) {
+                fire(wanted[length]);
+            }
         }
-        var common = Arrays.mismatch(path, 0, length, wanted, 0, wanted.length);
-        common = common < 0 ? length : common;
-        while (length > common) {
-            var t = path[--length];
-            game.takeBack(t);
-            left[effects[t]]++;
+        here = node;
+    }
+
+    private void fire(int t) {
+        if (length == path.length) {
+            path = Arrays.copyOf(path, 2 * length);
         }
-        if (wanted.length > path.length) {
-            path = Arrays.copyOf(path, 2 * wanted.length);
-        }
-        while (length < wanted.length) {
-            var t = wanted[length];
-            path[length++] = t;
-            game.fire(t);
-            left[effects[t]]--;
-        }
+        path[length++] = t;
+        game.fire(t);
+        left[effects[t]]--;
     }
 }
