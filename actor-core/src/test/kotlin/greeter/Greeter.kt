@@ -5,10 +5,7 @@ import io.troupe.actor.ActorSpace
 import io.troupe.actor.Callback
 import io.troupe.actor.Promise
 
-/**
- * An actor type as Kotlin code writes it: Unit is void, the companion and the default arguments stay where they are
- * called.
- */
+/** An actor type as Kotlin code writes it: Unit is void, the companion and the default arguments stay where they are called. */
 interface Greeter {
     fun greet(name: String, times: Int = 2): Promise<String>
 

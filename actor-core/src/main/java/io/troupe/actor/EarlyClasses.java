@@ -23,6 +23,7 @@ final class EarlyClasses {
             "io.troupe.actor.HandlerTurn",
             "io.troupe.actor.BlockingTaskThreads",
             "io.troupe.actor.IdleStrategy",
+            "io.troupe.actor.ObservedCalls",
             "io.troupe.actor.EntryRing",
             "io.troupe.actor.PoolProxyGenerator",
             "io.troupe.actor.ProxyGenerator",

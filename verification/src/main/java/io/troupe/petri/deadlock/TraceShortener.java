@@ -97,7 +97,7 @@ final class TraceShortener {
         System.arraycopy(trace, 0, kept, 0, i);
         var length = i;
         for (var j = i + 1; j < trace.length; j++) {
-            if (game.mayFire(trace[j])) {
+            if (game.mayFire(trace[j]) && !game.overflows(trace[j])) {
                 game.fire(trace[j]);
                 kept[length++] = trace[j];
             }
@@ -114,7 +114,7 @@ final class TraceShortener {
     static boolean leadsToDeadMarking(PetriNet net, int[] trace) {
         var game = new TokenGame(net);
         for (var t : trace) {
-            if (!game.mayFire(t)) {
+            if (!game.mayFire(t) || game.overflows(t)) {
                 return false;
             }
             game.fire(t);

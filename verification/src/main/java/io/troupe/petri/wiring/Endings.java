@@ -117,8 +117,11 @@ final class Endings {
         chosen.stream()
                 .filter(caller -> !group.contains(caller) && group.stream().anyMatch(each -> calls(caller, each)))
                 .forEach(callers::add);
+        if (callers.isEmpty() || !ended.containsAll(callers)) {
+            return false;
+        }
         var ways = ways(group);
-        if (callers.isEmpty() || !ended.containsAll(callers) || ways.isEmpty()) {
+        if (ways.isEmpty()) {
             return false;
         }
         for (var way : ways) {

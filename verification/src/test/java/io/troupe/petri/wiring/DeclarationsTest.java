@@ -630,6 +630,25 @@ class DeclarationsTest {
                 .isEqualTo("client waits for server.logout; server waits for client.why: all ask and none answers");
     }
 
+    /** In more ways than there is room for, but nothing calls them that ends. */
+    @Test
+    void manyServersThatCallEachOther_areNotLeft_ifNoneOfTheirCallersEnds() {
+        var node = Protocol.of("node")
+                .state("idle", provides("ping").then("hit"), requests("next.ping").then("idle"))
+                .state("hit", provides("ping").then("idle"))
+                .build();
+        var once = Protocol.of("once")
+                .state("new", does("begin").then("over"))
+                .state("over", ends())
+                .build();
+        var wiring = Wiring.of("ring")
+                .components("node", 10, node)
+                .bindEach("node", "next", i -> "node" + (i % 10 + 1))
+                .component(once)
+                .build();
+        assertThat(WiringCheck.check(wiring, 1_000)).isInstanceOf(Deadlock.class);
+    }
+
     /** Servers that call each other are left together; with another client, or one that never ends, they go on. */
     @Test
     void serversThatCallEachOther_areLeftWhenTheirClientsHaveEnded() {
