@@ -1,12 +1,13 @@
 package io.troupe.petri.wiring;
 
+import io.troupe.petri.Answer;
 import io.troupe.petri.Answer.No;
+import io.troupe.petri.Answer.Unknown;
 import io.troupe.petri.Answer.Yes;
 import io.troupe.petri.FairRuns;
 import io.troupe.petri.Marking;
 import io.troupe.petri.Place;
 import io.troupe.petri.ReachabilityGraph;
-import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Transition;
 import java.util.ArrayList;
@@ -33,10 +34,10 @@ import java.util.stream.Stream;
  *
  * {@snippet :
  * var progress = WiringProgress.of(commit);
- * assertThat(progress.never(Map.of("p1", Set.of("committed"), "p2", Set.of("aborted")))).isInstanceOf(Holds.class);
- * assertThat(progress.canReach(Map.of("p1", Set.of("committed")))).isInstanceOf(Holds.class);
- * assertThat(progress.everyRequestIsAnswered()).isInstanceOf(Holds.class);
- * assertThat(progress.alwaysAgain("coordinator", "over")).isInstanceOf(Holds.class);
+ * assertThat(progress.never(Map.of("p1", Set.of("committed"), "p2", Set.of("aborted")))).isInstanceOf(Yes.class);
+ * assertThat(progress.canReach(Map.of("p1", Set.of("committed")))).isInstanceOf(Yes.class);
+ * assertThat(progress.everyRequestIsAnswered()).isInstanceOf(Yes.class);
+ * assertThat(progress.alwaysAgain("coordinator", "over")).isInstanceOf(Yes.class);
  * }
  *
  * <p><b>Role.</b> After {@link WiringCheck}, which decides whether components can go on at all.
@@ -70,31 +71,6 @@ public final class WiringProgress {
         return new WiringProgress(wiring, limits);
     }
 
-    /** The answer to a question. */
-    public sealed interface Answer {}
-
-    /**
-     * It is so; what is asked about the end, in every fair run.
-     *
-     * @param firings of {@link #canReach} a shortest firing sequence that leads there, in the words of the declaration;
-     *     else empty
-     * @param steps the same for a reader, as in a {@link Counterexample}
-     */
-    public record Holds(List<String> firings, List<String> steps) implements Answer {
-        static final Holds PROVED = new Holds(List.of(), List.of());
-
-        public Holds {
-            firings = List.copyOf(firings);
-            steps = List.copyOf(steps);
-        }
-
-        /** The steps one per line. */
-        @Override
-        public String toString() {
-            return "it is so" + (steps.isEmpty() ? "" : ToldSteps.lines(steps, ""));
-        }
-    }
-
     /**
      * It is not so; what is asked about the end, in some fair run.
      *
@@ -104,8 +80,7 @@ public final class WiringProgress {
      * @param forever the steps that go on for ever without it, none in a deadlock; empty if the question is not about
      *     the end
      */
-    public record Fails(String sentence, List<String> firings, List<String> steps, Optional<List<String>> forever)
-            implements Answer {
+    public record Fails(String sentence, List<String> firings, List<String> steps, Optional<List<String>> forever) {
         public Fails {
             firings = List.copyOf(firings);
             steps = List.copyOf(steps);
@@ -128,42 +103,38 @@ public final class WiringProgress {
     }
 
     /**
-     * Not known, because there were too many markings.
-     *
-     * @param end why the search ended
-     * @param markings how many were visited
-     */
-    public record Unknown(SearchEnd end, int markings) implements Answer {}
-
-    /**
-     * Whether it never happens that each of these components is in one of its states; a {@link Fails} is a shortest way
-     * to where they are.
+     * Whether it never happens that each of these components is in one of its states; a no has a shortest way to where
+     * they are.
      *
      * @param states by component; it is in a state until the step out of it is over, also while it waits for an answer
      *     or serves a call there
      */
-    public Answer never(Map<String, Set<String>> states) {
+    public Answer<Fails> never(Map<String, Set<String>> states) {
         wiring.requireStates(states);
         return reached(states)
-                .<Answer>map(state -> fails(sentence(state.marking(), states), state.shortestTrace(), Optional.empty()))
-                .orElseGet(() -> complete(Holds.PROVED));
+                .<Answer<Fails>>map(state ->
+                        new No<>(fails(sentence(state.marking(), states), state.shortestTrace(), Optional.empty())))
+                .orElseGet(() -> complete(new Yes<>("all markings", graph.size())));
     }
 
     /**
-     * Whether it can happen that each of these components is in one of its states, as in {@link #never}; a
-     * {@link Holds} has a shortest way.
+     * Whether it can happen that each of these components is in one of its states, as in {@link #never}; the proof of a
+     * yes is a shortest way.
      */
-    public Answer canReach(Map<String, Set<String>> states) {
+    public Answer<Fails> canReach(Map<String, Set<String>> states) {
         wiring.requireStates(states);
         return reached(states)
-                .<Answer>map(state -> holds(state.shortestTrace()))
+                .<Answer<Fails>>map(state -> {
+                    var way = fails(sentence(state.marking(), states), state.shortestTrace(), Optional.empty());
+                    return new Yes<>(way.toString(), state.index() + 1);
+                })
                 .orElseGet(() -> {
                     var words = new TreeMap<>(states)
                             .entrySet().stream()
                                     .map(entry -> entry.getKey() + " is "
                                             + String.join(" or ", new TreeSet<>(entry.getValue())))
                                     .collect(Collectors.joining(", "));
-                    return complete(fails("never at once: " + words, List.of(), Optional.empty()));
+                    return complete(new No<>(fails("never at once: " + words, List.of(), Optional.empty())));
                 });
     }
 
@@ -191,28 +162,24 @@ public final class WiringProgress {
                 .collect(Collectors.joining(", "));
     }
 
-    private Holds holds(List<Transition> trace) {
-        return new Holds(trace.stream().map(Transition::name).toList(), new ToldSteps(trace, net).steps());
-    }
-
     private Fails fails(String sentence, List<Transition> trace, Optional<List<String>> forever) {
         return new Fails(
                 sentence, trace.stream().map(Transition::name).toList(), new ToldSteps(trace, net).steps(), forever);
     }
 
     /** The answer from all markings. */
-    private Answer complete(Answer answer) {
-        return graph.isComplete() ? answer : new Unknown(graph.end(), graph.size());
+    private Answer<Fails> complete(Answer<Fails> answer) {
+        return graph.isComplete() ? answer : new Unknown<>(graph.end(), graph.size());
     }
 
     /** Whether a component that makes a call always gets its answer, its rejection, or its time-out. */
-    public Answer everyRequestIsAnswered() {
-        Answer answer = Holds.PROVED;
+    public Answer<Fails> everyRequestIsAnswered() {
+        Answer<Fails> answer = new Yes<>("no request", 0);
         for (var call : unanswered().entrySet()) {
             Predicate<Marking> isOpen =
                     marking -> call.getValue().stream().anyMatch(place -> marking.tokens(place) > 0);
             var found = answer(runs.leadsTo(isOpen, isOpen.negate()), call.getKey() + " and is never answered");
-            if (found instanceof Fails) {
+            if (found instanceof No) {
                 return found;
             }
             answer = found;
@@ -221,7 +188,7 @@ public final class WiringProgress {
     }
 
     /** Whether a component comes into a state again and again. */
-    public Answer alwaysAgain(String component, String state) {
+    public Answer<Fails> alwaysAgain(String component, String state) {
         wiring.requireStates(Map.of(component, Set.of(state)));
         var places = net.net().places().stream()
                 .filter(place -> switch (net.componentState(place)) {
@@ -257,18 +224,18 @@ public final class WiringProgress {
         return open;
     }
 
-    private Answer answer(io.troupe.petri.Answer<FairRuns.Fails> answer, String sentence) {
+    private Answer<Fails> answer(Answer<FairRuns.Fails> answer, String sentence) {
         return switch (answer) {
-            case Yes<FairRuns.Fails> yes -> Holds.PROVED;
-            case io.troupe.petri.Answer.Unknown<FairRuns.Fails>(var end, var markings) -> new Unknown(end, markings);
+            case Yes<FairRuns.Fails>(var proof, var markings) -> new Yes<>(proof, markings);
+            case Unknown<FairRuns.Fails>(var end, var markings) -> new Unknown<>(end, markings);
             case No<FairRuns.Fails>(var fails) -> {
                 var forever = new ArrayList<Transition>(net.net().transitions());
                 forever.removeAll(fails.forever().neverFired());
-                yield fails(
+                yield new No<>(fails(
                         sentence,
                         Stream.concat(fails.trace().stream(), fails.way().stream())
                                 .toList(),
-                        Optional.of(forever.stream().map(Transition::name).toList()));
+                        Optional.of(forever.stream().map(Transition::name).toList())));
             }
         };
     }

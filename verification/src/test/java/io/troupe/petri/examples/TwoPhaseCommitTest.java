@@ -9,13 +9,14 @@ import static io.troupe.petri.wiring.Protocol.refuses;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.petri.Answer.No;
+import io.troupe.petri.Answer.Yes;
 import io.troupe.petri.wiring.Branch;
 import io.troupe.petri.wiring.Protocol;
 import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringCheck;
 import io.troupe.petri.wiring.WiringProgress;
 import io.troupe.petri.wiring.WiringProgress.Fails;
-import io.troupe.petri.wiring.WiringProgress.Holds;
 import io.troupe.petri.wiring.WiringResult;
 import java.util.ArrayList;
 import java.util.List;
@@ -75,14 +76,14 @@ class TwoPhaseCommitTest {
             assertThat(WiringCheck.check(wiring)).isInstanceOf(WiringResult.Proved.class);
             var progress = WiringProgress.of(wiring);
             var disagree = progress.never(Map.of("p1", Set.of("committed"), "p2", Set.of("aborted")));
-            assertThat(disagree).isInstanceOf(alone ? Fails.class : Holds.class);
-            var both = (Holds) progress.canReach(Map.of("p1", Set.of("committed"), "p2", Set.of("committed")));
-            assertThat(both.firings()).last().asString().startsWith("p2 answers commit");
-            assertThat(progress.alwaysAgain("coordinator", "over")).isInstanceOf(Holds.class);
+            assertThat(disagree).isInstanceOf(alone ? No.class : Yes.class);
+            var both = (Yes<Fails>) progress.canReach(Map.of("p1", Set.of("committed"), "p2", Set.of("committed")));
+            assertThat(both.proof()).endsWith("coordinator calls p2.commit, which answers");
+            assertThat(progress.alwaysAgain("coordinator", "over")).isInstanceOf(Yes.class);
         }
-        assertThat(WiringProgress.of(commit(false))
-                        .canReach(Map.of("p1", Set.of("committed"), "p2", Set.of("aborted"))))
-                .hasToString("never at once: p1 is committed, p2 is aborted");
+        var apart = Map.of("p1", Set.of("committed"), "p2", Set.of("aborted"));
+        var never = (No<Fails>) WiringProgress.of(commit(false)).canReach(apart);
+        assertThat(never.counterexample()).hasToString("never at once: p1 is committed, p2 is aborted");
     }
 
     @Test
@@ -90,9 +91,9 @@ class TwoPhaseCommitTest {
         var commit = commit(false);
         var progress = WiringProgress.of(commit);
         assertThat(progress.never(Map.of("p1", Set.of("committed"), "p2", Set.of("aborted"))))
-                .isInstanceOf(Holds.class);
-        assertThat(progress.canReach(Map.of("p1", Set.of("committed")))).isInstanceOf(Holds.class);
-        assertThat(progress.everyRequestIsAnswered()).isInstanceOf(Holds.class);
-        assertThat(progress.alwaysAgain("coordinator", "over")).isInstanceOf(Holds.class);
+                .isInstanceOf(Yes.class);
+        assertThat(progress.canReach(Map.of("p1", Set.of("committed")))).isInstanceOf(Yes.class);
+        assertThat(progress.everyRequestIsAnswered()).isInstanceOf(Yes.class);
+        assertThat(progress.alwaysAgain("coordinator", "over")).isInstanceOf(Yes.class);
     }
 }

@@ -634,7 +634,10 @@ class DeclarationsTest {
     @Test
     void manyServersThatCallEachOther_areNotLeft_ifNoneOfTheirCallersEnds() {
         var node = Protocol.of("node")
-                .state("idle", provides("ping").then("hit"), requests("next.ping").then("idle"))
+                .state(
+                        "idle",
+                        provides("ping").then("hit"),
+                        requests("next.ping").then("idle"))
                 .state("hit", provides("ping").then("idle"))
                 .build();
         var once = Protocol.of("once")

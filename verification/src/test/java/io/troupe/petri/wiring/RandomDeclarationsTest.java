@@ -2,12 +2,13 @@ package io.troupe.petri.wiring;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.petri.Answer.No;
+import io.troupe.petri.Answer.Yes;
 import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.wiring.Simulation.World;
 import io.troupe.petri.wiring.WiringProgress.Fails;
-import io.troupe.petri.wiring.WiringProgress.Holds;
 import io.troupe.petri.wiring.WiringResult.Blocked;
 import io.troupe.petri.wiring.WiringResult.Deadlock;
 import io.troupe.petri.wiring.WiringResult.Proved;
@@ -120,13 +121,14 @@ class RandomDeclarationsTest {
             var canReach = progress.canReach(states);
             assertThat(never)
                     .as(() -> states + " of " + describe(wiring))
-                    .isInstanceOf(distance.isEmpty() ? Holds.class : Fails.class);
+                    .isInstanceOf(distance.isEmpty() ? Yes.class : No.class);
             assertThat(canReach)
                     .as(() -> states + " of " + describe(wiring))
-                    .isInstanceOf(distance.isEmpty() ? Fails.class : Holds.class);
-            if (never instanceof Fails fails && canReach instanceof Holds holds) {
+                    .isInstanceOf(distance.isEmpty() ? No.class : Yes.class);
+            if (never instanceof No<Fails>(var fails) && canReach instanceof Yes<Fails> way) {
                 reached++;
-                assertThat(fails.firings()).hasSize(distance.orElseThrow()).isEqualTo(holds.firings());
+                assertThat(fails.firings()).hasSize(distance.orElseThrow());
+                assertThat(way.proof()).isEqualTo(fails.toString());
             }
         }
     }
