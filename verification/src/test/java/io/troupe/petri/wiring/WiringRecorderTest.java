@@ -272,7 +272,7 @@ class WiringRecorderTest {
         };
         assertThat(recorded(program).problems())
                 .containsExactly(
-                        "client asks server.get while an earlier one of it is open, which a protocol cannot say;"
+                        "client asks server.get while an earlier one of it is open, which a protocol cannot express;"
                                 + " a translation can give each its own component");
         var count = new int[1];
         WiringObserver.Translation apart = (from, to, call) -> call.method().equals("get")
