@@ -322,6 +322,11 @@ public final class WiringMonitor {
         return wiring;
     }
 
+    /** Whether this event is possible now. */
+    synchronized boolean allows(Kind kind, String component, String what) {
+        return !markings.after(now, new ProtocolEvent(kind, component, what)).isEmpty();
+    }
+
     boolean observes(String label) {
         return observed.contains(label);
     }

@@ -5,13 +5,16 @@ import static java.util.Objects.requireNonNull;
 import io.troupe.actor.CallObserver;
 import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -25,17 +28,32 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>The name of an actor is that of its component; of an actor without a name, that of its type with a small letter. A
  * method that the component {@code receives} is a message; any other is a call, which is taken when it begins, and
- * answered when its promise is settled, also by an error unless the component rejects the call. A caller that
- * {@code asks} gets the answer then. What is passed on by a connection to a service is a call of its caller.
+ * answered when its promise is settled. A caller that {@code asks} gets the answer then. What is passed on by a
+ * connection to a service is a call of its caller.
+ *
+ * <p>An error is an answer, except of a call that
+ *
+ * <ul>
+ *   <li>has not begun: the component rejects it;
+ *   <li>the component {@code refuses} in some state: it does so;
+ *   <li>the component {@code rejects} in the state in which it begins: it does so, unless it {@code accepts} the call
+ *       in that state, too;
+ *   <li>its caller cancels, or a time limit of its {@code ask}: it is given up if it has not begun, or if the caller's
+ *       protocol {@code cancels} it or has a state {@code orTimeout}. What the other component then answers is not
+ *       reported.
+ * </ul>
  *
  * <p>A call of a component to an actor that the wiring does not have is a violation, and so is a call that the
  * component answers to others, made by an actor that the wiring does not have. A call {@code pay} from outside, for
  * example of the test, is the private step {@code pay from outside}, and its answer {@code answers pay}, where the
- * component has these steps and the monitor observes them ({@link #stepsFromOutside}); else it is not reported.
+ * component has the first of these steps, or both, and the monitor observes them ({@link #stepsFromOutside}); else it
+ * is not reported.
  *
  * <p><b>Role.</b> Needs {@code troupe-actor-core} on the class path. What a program calls otherwise than its wiring
  * does is translated: {@link #WiringObserver(WiringMonitor, Translation)}. The results of streams, and messages that a
- * bounded mailbox refuses, are not seen: report them to the monitor.
+ * bounded mailbox refuses, are not seen: report them to the monitor. {@code Promise.orTimeout} settles no request that
+ * has begun, so such a time-out is seen only if the caller then cancels the request. A failure ({@code failsTo}) is not
+ * told from an error: a translation reports it in place of the answer, by {@link Followed#failed}.
  *
  * <p><b>Threads.</b> Any thread; spaces may share one.
  */
@@ -77,7 +95,10 @@ public final class WiringObserver implements CallObserver {
     private final Wiring wiring;
     private final ActorNames names;
     private final Translation translation;
-    private final Map<Call, Followed> queued = new HashMap<>(); // guarded by this, as is names and outside
+    /** Guarded by the monitor, as are the other maps and names: a call is noted and reported under one lock. */
+    private final Map<Call, Followed> queued = new HashMap<>();
+
+    private final Set<Call> undecided = new HashSet<>(); // begun, and not reported: an error will be a rejection
     private final Map<Call, String> outside = new HashMap<>(); // the component that got a call from outside
 
     public WiringObserver(WiringMonitor monitor) {
@@ -105,12 +126,12 @@ public final class WiringObserver implements CallObserver {
             return; // a private step
         }
         if (followed.caller().isEmpty()) {
-            synchronized (this) {
+            synchronized (monitor) {
                 outside.put(call, component(followed));
             }
             return;
         }
-        synchronized (this) {
+        synchronized (monitor) {
             queued.put(call, followed);
         }
         if (isMessage(followed)) {
@@ -122,7 +143,7 @@ public final class WiringObserver implements CallObserver {
     }
 
     private Optional<Followed> byName(Party from, Party to, Call call) {
-        synchronized (this) {
+        synchronized (monitor) {
             if (call.isPassedOn()) {
                 names.passing(from, to, call);
                 return Optional.empty();
@@ -142,18 +163,30 @@ public final class WiringObserver implements CallObserver {
         }
     }
 
-    /** The private steps of a wiring that are calls from outside: for {@link WiringMonitor#observing}. */
+    /**
+     * The private steps of a wiring that are calls from outside: {@code pay from outside}, and the {@code answers pay}
+     * of a component that has this step, too. For {@link WiringMonitor#observing}.
+     */
     public static Set<String> stepsFromOutside(Wiring wiring) {
         return wiring.components().stream()
-                .flatMap(component -> wiring.protocol(component).steps(Step.Does.class))
-                .map(Step.Does::label)
-                .filter(label -> label.endsWith(FROM_OUTSIDE) || label.startsWith(ANSWERS))
+                .flatMap(component -> stepsFromOutside(wiring.protocol(component)).stream())
+                .collect(Collectors.toSet());
+    }
+
+    private static Set<String> stepsFromOutside(Protocol protocol) {
+        var labels = protocol.steps(Step.Does.class).map(Step.Does::label).collect(Collectors.toSet());
+        return labels.stream()
+                .filter(label -> label.endsWith(FROM_OUTSIDE))
+                .map(label -> label.substring(0, label.length() - FROM_OUTSIDE.length()))
+                .filter(method -> method.indexOf(' ') < 0)
+                .flatMap(method -> Stream.of(method + FROM_OUTSIDE, ANSWERS + method))
+                .filter(labels::contains)
                 .collect(Collectors.toSet());
     }
 
     private void beginsFromOutside(Call call) {
         String component;
-        synchronized (this) {
+        synchronized (monitor) {
             component = outside.remove(call);
         }
         if (component != null) {
@@ -166,9 +199,7 @@ public final class WiringObserver implements CallObserver {
 
     private void did(String component, String label) {
         boolean isDeclared = wiring.components().contains(component)
-                && wiring.protocol(component)
-                        .steps(Step.Does.class)
-                        .anyMatch(step -> step.label().equals(label));
+                && stepsFromOutside(wiring.protocol(component)).contains(label);
         if (isDeclared && monitor.observes(label)) {
             monitor.did(component, label);
         }
@@ -196,43 +227,78 @@ public final class WiringObserver implements CallObserver {
         return followed.target().substring(followed.target().indexOf('.') + 1);
     }
 
-    private synchronized @Nullable Followed dequeue(Call call) {
-        return queued.remove(call);
-    }
-
     @Override
-    public synchronized void dropped(Party actor, Call call) {
-        outside.remove(call);
+    public void dropped(Party actor, Call call) {
+        synchronized (monitor) {
+            outside.remove(call);
+            if (!call.isRequest()) { // which is never settled
+                queued.remove(call);
+            }
+        }
     }
 
     @Override
     public void begun(Party actor, Call call) {
-        Followed followed = dequeue(call);
-        if (followed == null) {
+        boolean isFollowed;
+        synchronized (monitor) {
+            var followed = queued.remove(call);
+            isFollowed = followed != null;
+            if (followed != null) {
+                begun(call, followed);
+            }
+        }
+        if (!isFollowed) {
             beginsFromOutside(call);
-            return;
-        }
-        if (isMessage(followed)) {
-            monitor.on(Kind.RECEIVED, component(followed), method(followed));
-            return;
-        }
-        monitor.taken(followed.caller(), followed.target());
-        if (followed.isAnsweredAtOnce()) {
-            answered(followed);
         }
     }
 
+    private void begun(Call call, Followed followed) {
+        if (isMessage(followed)) {
+            monitor.on(Kind.RECEIVED, component(followed), method(followed));
+        } else if (isRejectedByAnError(followed)) {
+            undecided.add(call);
+        } else {
+            monitor.taken(followed.caller(), followed.target());
+            if (followed.isAnsweredAtOnce()) {
+                answered(followed);
+            }
+        }
+    }
+
+    /** Whether a call that begins now is rejected if it is settled with an error. */
+    private boolean isRejectedByAnError(Followed followed) {
+        return !followed.isAnsweredAtOnce()
+                && followed.failed() == null
+                && monitor.allows(Kind.REJECTED, followed.caller(), followed.target())
+                && !(wiring.protocol(component(followed)).answersLater(method(followed))
+                        && monitor.allows(Kind.TAKEN, followed.caller(), followed.target()));
+    }
+
     private void settled(Call call, Followed followed, @Nullable Throwable error) {
-        boolean isBegun = dequeue(call) == null;
         if (error != null && followed.failed() != null) {
+            synchronized (monitor) {
+                queued.remove(call);
+            }
             followed.failed().accept(error);
-        } else if (error != null && !isBegun && isGivenUp(error)) {
-            monitor.on(asks(followed) ? Kind.GAVE_UP : Kind.TIMED_OUT, followed.caller(), followed.target());
-        } else if (error != null && (!isBegun || mayReject(followed))) {
-            monitor.on(Kind.REJECTED, followed.caller(), followed.target());
-            takes(followed, Kind.GOT_REJECTION);
-        } else if (!followed.isAnsweredAtOnce()) {
-            answered(followed);
+            return;
+        }
+        synchronized (monitor) {
+            boolean isBegun = queued.remove(call) == null;
+            boolean isUndecided = undecided.remove(call);
+            if (isBegun && followed.isAnsweredAtOnce()) {
+                return; // and was reported
+            }
+            if (error != null && isGivenUp(error) && (!isBegun || mayGiveUp(followed))) {
+                monitor.on(asks(followed) ? Kind.GAVE_UP : Kind.TIMED_OUT, followed.caller(), followed.target());
+            } else if (error != null && (!isBegun || isUndecided || mayRefuse(followed))) {
+                monitor.on(Kind.REJECTED, followed.caller(), followed.target());
+                takes(followed, Kind.GOT_REJECTION);
+            } else {
+                if (isUndecided) {
+                    monitor.taken(followed.caller(), followed.target());
+                }
+                answered(followed);
+            }
         }
     }
 
@@ -240,10 +306,18 @@ public final class WiringObserver implements CallObserver {
         return error instanceof CancellationException || error instanceof TimeoutException;
     }
 
-    private boolean mayReject(Followed followed) {
+    /** Whether its caller may give up a call that has begun. */
+    private boolean mayGiveUp(Followed followed) {
+        return makes(followed, Step.Cancels.class, step -> true)
+                || makes(followed, Step.Requests.class, step -> step.onTimeout().isPresent());
+    }
+
+    private boolean mayRefuse(Followed followed) {
         String component = component(followed);
         return wiring.components().contains(component)
-                && wiring.protocol(component).mayReject(method(followed));
+                && wiring.protocol(component)
+                        .steps(Step.Refuses.class)
+                        .anyMatch(step -> step.call().equals(method(followed)));
     }
 
     private void answered(Followed followed) {
@@ -259,10 +333,16 @@ public final class WiringObserver implements CallObserver {
     }
 
     private boolean asks(Followed followed) {
+        return makes(followed, Step.Asks.class, step -> true);
+    }
+
+    /** Whether the caller has such a step for this call. */
+    private <S extends Step.Outgoing> boolean makes(Followed followed, Class<S> kind, Predicate<S> which) {
         return wiring.components().contains(followed.caller())
                 && wiring.protocol(followed.caller())
-                        .steps(Step.Asks.class)
+                        .steps(kind)
                         .anyMatch(step -> step.call().equals(method(followed))
-                                && wiring.provider(followed.caller(), step).equals(component(followed)));
+                                && wiring.provider(followed.caller(), step).equals(component(followed))
+                                && which.test(step));
     }
 }
