@@ -149,7 +149,7 @@ final class RecordedProtocols {
     private final Set<String> activeFromOutside = new LinkedHashSet<>(); // methods that call others, with the component
     private final Set<String> problems = new LinkedHashSet<>();
 
-    /** @param types of the components; empty if methods have other names */
+    /** @param types of the components whose calls are all methods of one type */
     RecordedProtocols(String name, List<List<Fact>> runs, Map<String, Class<?>> types, Set<String> streams) {
         this.name = name;
         this.runs = runs;
@@ -333,7 +333,7 @@ final class RecordedProtocols {
                         steps.add(new Step(verb, call.method(), number, call, at, isHolding));
                     }
                     if (call.isBetweenActors() && call.caller().equals(component.name)) {
-                        String verb = begun.contains(number) ? "answered" : isGivenUp ? "cancels" : "rejected";
+                        String verb = isGivenUp ? "cancels" : begun.contains(number) ? "answered" : "rejected";
                         steps.add(new Step(verb, call.target(), activityOf(call), call, at, isHolding));
                     }
                 }

@@ -4,9 +4,13 @@ import io.troupe.petri.wiring.RecordedProtocols.Component;
 import io.troupe.petri.wiring.RecordedProtocols.Edge;
 import java.lang.reflect.Modifier;
 import java.util.Collection;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -17,39 +21,67 @@ final class RecordedSource {
     private static final String JAVA = BODY + "        "; // a line that continues a statement
     private static final String KOTLIN = BODY + "    ";
 
-    private RecordedSource() {}
+    private final RecordedProtocols recording;
+    private final String packageName;
+    private final UnaryOperator<String> escape;
+    private final Map<String, String> variables = new HashMap<>(); // by component
+
+    private RecordedSource(RecordedProtocols recording, String packageName, UnaryOperator<String> escape) {
+        this.recording = recording;
+        this.packageName = packageName;
+        this.escape = escape;
+        var used = new HashSet<String>();
+        recording.components().forEach(component -> {
+            String first = variable(component.name);
+            String variable = first;
+            for (int count = 2; !used.add(variable); count++) {
+                variable = first + "_" + count;
+            }
+            variables.put(component.name, variable);
+        });
+    }
+
+    private static String variable(String component) {
+        String name = component.replaceAll("[^\\p{L}\\p{N}]+", "_");
+        return "of" + Character.toUpperCase(name.charAt(0)) + name.substring(1);
+    }
 
     static String java(RecordedProtocols recording, String packageName, String className) {
+        return new RecordedSource(recording, packageName, RecordedSource::escaped).java(className);
+    }
+
+    static String kotlin(RecordedProtocols recording, String packageName, String objectName) {
+        return new RecordedSource(recording, packageName, text -> escaped(text).replace("$", "\\$")).kotlin(objectName);
+    }
+
+    private static String escaped(String text) {
+        return text.replace("\\", "\\\\")
+                .replace("\"", "\\\"")
+                .replace("\n", "\\n")
+                .replace("\r", "\\r");
+    }
+
+    private String java(String className) {
         var text = new StringBuilder("package " + packageName + ";\n\n");
-        verbs(recording)
-                .forEach(verb -> text.append("import static io.troupe.petri.wiring.Protocol.")
-                        .append(verb)
-                        .append(";\n"));
+        verbs().forEach(verb -> text.append("import static io.troupe.petri.wiring.Protocol.")
+                .append(verb)
+                .append(";\n"));
         text.append("\n");
-        imports(recording).forEach(type -> text.append("import ").append(type).append(";\n"));
+        imports().forEach(type -> text.append("import ").append(type).append(";\n"));
         text.append("\n/** Recorded from runs: a draft. */\nfinal class ")
                 .append(className)
                 .append(" {\n");
         text.append("    private ").append(className).append("() {}\n\n    static Wiring wiring() {\n");
         for (var component : recording.components()) {
-            text.append("        var ")
-                    .append(variable(component))
-                    .append(" = Protocol.of(\"")
-                    .append(component.name);
-            text.append("\"").append(type(component, packageName, ".class")).append(")");
-            component.states.forEach((state, edges) -> text.append(state(state, edges, JAVA)));
-            text.append(JAVA).append(".build();\n");
+            text.append(protocol(component, "var", ".class", JAVA)).append(";\n");
         }
-        text.append("        return Wiring.of(\"").append(recording.name()).append("\")");
-        text.append(whole(recording, JAVA)).append(JAVA).append(".build();\n    }\n}\n");
+        text.append(whole(JAVA)).append(";\n    }\n}\n");
         return text.toString();
     }
 
-    static String kotlin(RecordedProtocols recording, String packageName, String objectName) {
+    private String kotlin(String objectName) {
         var text = new StringBuilder("package " + packageName + "\n\n");
-        Stream.concat(
-                        imports(recording).stream(),
-                        verbs(recording).stream().map(verb -> "io.troupe.petri.wiring.Protocol." + verb))
+        Stream.concat(imports().stream(), verbs().stream().map(verb -> "io.troupe.petri.wiring.Protocol." + verb))
                 .sorted()
                 .forEach(name -> text.append("import ").append(name).append("\n"));
         text.append("\n/** Recorded from runs: a draft. */\ninternal object ")
@@ -57,22 +89,24 @@ final class RecordedSource {
                 .append(" {\n");
         text.append("    fun wiring(): Wiring {\n");
         for (var component : recording.components()) {
-            text.append("        val ")
-                    .append(variable(component))
-                    .append(" = Protocol.of(\"")
-                    .append(component.name);
-            text.append("\"")
-                    .append(type(component, packageName, "::class.java"))
-                    .append(")");
-            component.states.forEach((state, edges) -> text.append(state(state, edges, KOTLIN)));
-            text.append(KOTLIN).append(".build()\n");
+            text.append(protocol(component, "val", "::class.java", KOTLIN)).append("\n");
         }
-        text.append("        return Wiring.of(\"").append(recording.name()).append("\")");
-        text.append(whole(recording, KOTLIN)).append(KOTLIN).append(".build()\n    }\n}\n");
+        text.append(whole(KOTLIN)).append("\n    }\n}\n");
         return text.toString();
     }
 
-    private static Collection<String> verbs(RecordedProtocols recording) {
+    private String quoted(String text) {
+        return "\"" + escape.apply(text) + "\"";
+    }
+
+    private String protocol(Component component, String declares, String classSuffix, String line) {
+        var text = new StringBuilder("        " + declares + " " + variables.get(component.name) + " = Protocol.of(");
+        text.append(quoted(component.name)).append(type(component, classSuffix)).append(")");
+        component.states.forEach((state, edges) -> text.append(state(state, edges, line)));
+        return text.append(line).append(".build()").toString();
+    }
+
+    private Collection<String> verbs() {
         return recording.components().stream()
                 .flatMap(component -> component.states.values().stream())
                 .flatMap(Set::stream)
@@ -80,7 +114,7 @@ final class RecordedSource {
                 .collect(Collectors.toCollection(TreeSet::new));
     }
 
-    private static List<String> imports(RecordedProtocols recording) {
+    private List<String> imports() {
         var names = new TreeSet<>(List.of("io.troupe.petri.wiring.Protocol", "io.troupe.petri.wiring.Wiring"));
         if (!recording.mailboxes().isEmpty()) {
             names.add("io.troupe.petri.wiring.Overflow");
@@ -89,7 +123,7 @@ final class RecordedSource {
     }
 
     /** The type as an argument, if a class of this package may name it. */
-    private static String type(Component component, String packageName, String suffix) {
+    private String type(Component component, String suffix) {
         return component.type != null && isVisible(component.type, packageName)
                 ? ", " + component.type.getCanonicalName() + suffix
                 : "";
@@ -111,34 +145,29 @@ final class RecordedSource {
         return true;
     }
 
-    private static String state(String state, Set<Edge> edges, String line) {
+    private String state(String state, Set<Edge> edges, String line) {
         String step = line + line.substring(BODY.length()); // indented once more
         return edges.stream()
-                .map(edge -> edge.verb() + "(\"" + edge.what() + "\").then(\"" + edge.to() + "\")")
-                .collect(Collectors.joining("," + step, line + ".state(" + step + "\"" + state + "\"," + step, ")"));
+                .map(edge -> edge.verb() + "(" + quoted(edge.what()) + ").then(" + quoted(edge.to()) + ")")
+                .collect(Collectors.joining("," + step, line + ".state(" + step + quoted(state) + "," + step, ")"));
     }
 
-    private static String whole(RecordedProtocols recording, String line) {
-        var text = new StringBuilder();
+    private String whole(String line) {
+        var text = new StringBuilder("        return Wiring.of(" + quoted(recording.name()) + ")");
         recording
                 .components()
-                .forEach(component -> text.append(line + ".component(\"")
-                        .append(component.name)
-                        .append("\", ")
-                        .append(variable(component))
+                .forEach(component -> text.append(line + ".component(")
+                        .append(quoted(component.name))
+                        .append(", ")
+                        .append(variables.get(component.name))
                         .append(")"));
         recording
                 .mailboxes()
-                .forEach((component, capacity) -> text.append(line + ".mailbox(\"")
-                        .append(component)
-                        .append("\", ")
+                .forEach((component, capacity) -> text.append(line + ".mailbox(")
+                        .append(quoted(component))
+                        .append(", ")
                         .append(capacity)
                         .append(", Overflow.BLOCK)"));
-        return text.toString();
-    }
-
-    private static String variable(Component component) {
-        String name = component.name.replaceAll("[^\\p{L}\\p{N}]+", "_");
-        return "of" + Character.toUpperCase(name.charAt(0)) + name.substring(1);
+        return text.append(line).append(".build()").toString();
     }
 }

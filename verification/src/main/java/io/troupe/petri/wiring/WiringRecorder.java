@@ -9,7 +9,6 @@ import io.troupe.petri.wiring.RecordedProtocols.Fact;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -37,11 +36,15 @@ import org.jspecify.annotations.Nullable;
  * those that it answered at once wherever it was asked, because actors do so. What no run has shown is not allowed: it
  * is a draft, to be read and corrected.
  *
+ * <p>A call that its caller cancels, or a time limit of its {@code ask}, is recorded as {@code cancels}, also if the
+ * other actor has begun it, which then answers it. {@code Promise.orTimeout} settles no request that has begun: what
+ * its caller does after it is recorded as done while the question is open.
+ *
  * <p>Actors that call no other actor, and that no other calls, are left out. A call from outside is a private step. A
  * mailbox is as large as was needed.
  *
  * <p><b>Role.</b> An observer of spaces, like {@link WiringObserver}, with the same names and the same translation;
- * needs {@code troupe-actor-core}.
+ * needs {@code troupe-actor-core}. A component is of the type of its actor if all calls of it are methods of that type.
  *
  * <p><b>Threads.</b> Any thread; spaces may share one.
  *
@@ -55,7 +58,8 @@ public final class WiringRecorder implements CallObserver {
     private final WiringObserver.@Nullable Translation translation;
     private final List<List<Fact>> runs =
             new ArrayList<>(List.of(new ArrayList<>())); // guarded by this, as is the rest
-    private final Map<String, Class<?>> types = new LinkedHashMap<>();
+    private final Map<String, Optional<Class<?>>> types =
+            new HashMap<>(); // empty for one that is not that of all calls
     private final Set<String> streams = new LinkedHashSet<>();
     private final Map<Call, Asked> open = new HashMap<>();
     private final Set<String> ended = new HashSet<>(); // with calls that were not answered
@@ -63,7 +67,11 @@ public final class WiringRecorder implements CallObserver {
     private int calls;
 
     /** A call that was made, or one that a connection has yet to pass on. */
-    private record Asked(int number, boolean isAnsweredAtOnce, String callee, int servedBy) {}
+    private record Asked(int number, boolean isAnsweredAtOnce, String callee, int servedBy, boolean isBegun) {
+        Asked begun() {
+            return new Asked(number, isAnsweredAtOnce, callee, servedBy, true);
+        }
+    }
 
     /** @param name of the wiring */
     public WiringRecorder(String name) {
@@ -99,7 +107,7 @@ public final class WiringRecorder implements CallObserver {
                     names.passing(from, to, call);
                     open.put(
                             call,
-                            new Asked(-1, false, "", served.map(this::served).orElse(-1)));
+                            new Asked(-1, false, "", served.map(this::served).orElse(-1), false));
                     return;
                 }
                 if (!ActorNames.isOfTheBroker(call)) {
@@ -124,12 +132,15 @@ public final class WiringRecorder implements CallObserver {
     private void asked(WiringObserver.Followed followed, Call call, int served) {
         String callee = followed.target().substring(0, followed.target().indexOf('.'));
         String method = followed.target().substring(followed.target().indexOf('.') + 1);
-        types.putIfAbsent(callee, call.type());
+        types.merge(
+                callee,
+                method.equals(call.method()) ? Optional.of(call.type()) : Optional.empty(),
+                (all, each) -> all.equals(each) ? all : Optional.empty());
         if (call.arguments().stream().anyMatch(Callback.class::isInstance)) {
             streams.add(followed.target());
         }
         int number = calls++;
-        open.put(call, new Asked(number, followed.isAnsweredAtOnce(), callee, served));
+        open.put(call, new Asked(number, followed.isAnsweredAtOnce(), callee, served, false));
         add(new Fact.Called(number, followed.caller(), callee, method, call.isRequest(), served));
     }
 
@@ -141,6 +152,7 @@ public final class WiringRecorder implements CallObserver {
     public synchronized void begun(Party actor, Call call) {
         Asked asked = open.get(call);
         if (asked != null && asked.number() >= 0) {
+            open.put(call, asked.begun());
             add(new Fact.Begun(asked.number()));
             if (asked.isAnsweredAtOnce()) {
                 add(new Fact.Settled(asked.number(), false));
@@ -150,7 +162,7 @@ public final class WiringRecorder implements CallObserver {
 
     private synchronized void settled(Call call, @Nullable Throwable error) {
         Asked asked = open.get(call);
-        if (asked == null || asked.number() < 0 || asked.isAnsweredAtOnce()) {
+        if (asked == null || asked.number() < 0 || asked.isAnsweredAtOnce() && asked.isBegun()) {
             return;
         }
         if (error instanceof ActorStoppedException) { // the end of a run is not part of the wiring
@@ -176,8 +188,9 @@ public final class WiringRecorder implements CallObserver {
     // ---- the result
 
     private synchronized RecordedProtocols recording() {
-        return new RecordedProtocols(
-                name, runs.stream().map(List::copyOf).toList(), Map.copyOf(types), Set.copyOf(streams));
+        var known = new HashMap<String, Class<?>>();
+        types.forEach((component, all) -> all.ifPresent(type -> known.put(component, type)));
+        return new RecordedProtocols(name, runs.stream().map(List::copyOf).toList(), known, Set.copyOf(streams));
     }
 
     /** The recorded wiring. */

@@ -44,9 +44,12 @@ class WiringRecorderTest {
     }
 
     private static void run(TestSpace test) {
-        Server server = test.spawn(Server.class, Serving::new, ActorSettings.named("server"));
-        Client client = test.spawn(
-                Client.class, () -> () -> server.get().then(got -> server.put(got)), ActorSettings.named("client"));
+        run(test, ActorSettings.named("server"), ActorSettings.named("client"));
+    }
+
+    private static void run(TestSpace test, ActorSettings ofServer, ActorSettings ofClient) {
+        Server server = test.spawn(Server.class, Serving::new, ofServer);
+        Client client = test.spawn(Client.class, () -> () -> server.get().then(got -> server.put(got)), ofClient);
         client.go();
         test.runQueued();
         client.go();
@@ -331,5 +334,85 @@ class WiringRecorderTest {
                         .problem())
                 .startsWith("one takes content from reader is not allowed: one waits for the answer of two.deposit");
         monitored(holding, test -> payAndRead(test, HoldingAccount::new, true)).check();
+    }
+
+    /** The server goes on after its caller has given up, and the caller asks again. */
+    @Test
+    void callThatIsCancelledWhileItIsServed_isRecorded() {
+        Consumer<TestSpace> program = test -> {
+            var begun = new Deferred<Integer>();
+            Server server = test.spawn(
+                    Server.class,
+                    () -> new Serving() {
+                        @Override
+                        public Promise<Integer> get() {
+                            return begun.resolve(1) ? new Deferred<>() : Promise.of(2);
+                        }
+                    },
+                    ActorSettings.named("server"));
+            Client client = test.spawn(
+                    Client.class,
+                    () -> () -> {
+                        var asked = server.get();
+                        begun.then(any -> {
+                            asked.cancel();
+                            server.get();
+                        });
+                    },
+                    ActorSettings.named("client"));
+            client.go();
+            test.runQueued();
+        };
+        var recorder = recorded(program);
+        assertThat(recorder.problems()).isEmpty();
+        assertThat(recorder.wiring().protocol("client").steps(Step.Cancels.class))
+                .isNotEmpty();
+        monitored(recorder.wiring(), program).check();
+    }
+
+    /** What has other names in the wiring, or several types, has none there. */
+    @Test
+    void componentWhoseCallsAreNotOfOneType_hasNone() {
+        WiringObserver.Translation renamed = (from, to, call) -> call.method().equals("get")
+                ? Optional.of(WiringObserver.Followed.of("client", "server.fetch"))
+                : Optional.empty();
+        WiringObserver.Translation joined = (from, to, call) -> call.type() == Client.class
+                ? Optional.empty()
+                : Optional.of(WiringObserver.Followed.of(
+                        call.method().equals("deposit") ? "world" : "client", "world." + call.method()));
+        for (var translation : List.of(renamed, joined)) {
+            var recorder = new WiringRecorder("test", translation);
+            try (var test = new TestSpace(recorder)) {
+                run(test);
+                pay(test, PlainAccount::new);
+            }
+            assertThat(WiringCheck.check(recorder.wiring())).isInstanceOf(Proved.class);
+        }
+    }
+
+    @Test
+    void source_compiles_whateverTheNamesAre() throws Exception {
+        var count = new int[1];
+        var recorder = new WiringRecorder(
+                "the \"$test\" of \\",
+                (from, to, call) -> call.method().equals("get")
+                        ? Optional.of(WiringObserver.Followed.of(
+                                "client",
+                                List.of("server-a", "server_a", "Server-a").get(count[0]++ % 3) + ".get"))
+                        : Optional.empty());
+        try (var test = new TestSpace(recorder)) {
+            run(test);
+            run(test, ActorSettings.named("server2"), ActorSettings.named("client2"));
+        }
+        assertThat(recorder.wiring().components()).hasSize(4);
+        var fromSource = compiled(recorder.java("io.troupe.petri.wiring", "NamedWiring"), "NamedWiring");
+        assertThat(fromSource.name()).isEqualTo("the \"$test\" of \\");
+        assertThat(fromSource.net().toString())
+                .isEqualTo(recorder.wiring().net().toString());
+        assertThat(recorder.kotlin("shop", "Named"))
+                .contains("Wiring.of(\"the \\\"\\$test\\\" of \\\\\")")
+                .containsOnlyOnce("val ofServer_a =")
+                .containsOnlyOnce("val ofServer_a_2 =")
+                .containsOnlyOnce("val ofServer_a_3 =");
     }
 }
