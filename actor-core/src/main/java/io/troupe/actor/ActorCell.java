@@ -582,14 +582,15 @@ final class ActorCell extends Recipient {
         } else {
             space.begin(life);
             CallObserver observer = space.settings.callObserver();
-            if (observer != null) {
-                ObservedCalls.begun(observer, this, call);
+            var observed = observer == null ? null : new ObservedCalls.ObservedCall(this, call);
+            if (observed != null) {
+                ObservedCalls.begun(observer, observed);
             }
             CallObserver.Turn turn = beginTurn();
             var servedBefore = space.served();
             try {
-                if (observer != null) {
-                    space.serve(new ObservedCalls.ObservedCall(this, call));
+                if (observed != null) {
+                    space.serve(observed);
                 }
                 if (target instanceof Forwarder forwarder) {
                     forward(call, forwarder);

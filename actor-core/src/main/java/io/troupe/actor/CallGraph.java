@@ -81,7 +81,7 @@ public final class CallGraph implements CallObserver {
     }
 
     private final Clock clock;
-    private final Map<Party, Counter> counters = new ConcurrentHashMap<>();
+    private final Map<Key, Counter> counters = new ConcurrentHashMap<>();
     private final List<Counter> inOrder = new ArrayList<>(); // guarded by this
     private final List<Link> links = new ArrayList<>(); // guarded by this
 
@@ -119,8 +119,8 @@ public final class CallGraph implements CallObserver {
      * @param space that groups the names; it need not be an actor space
      */
     public void note(String space, String from, String to) {
-        Counter sender = counter(new Party(space, from, 0));
-        counter(new Party(space, to, 0)).from(sender).calls.increment();
+        Counter sender = counter(new Key(space, from));
+        counter(new Key(space, to)).from(sender).calls.increment();
     }
 
     // ---- called by the spaces
@@ -176,15 +176,18 @@ public final class CallGraph implements CallObserver {
     }
 
     private Counter counter(Party party) {
-        Party key = party.number() == 0 ? party : new Party(party.space(), party.name(), 0);
+        return counter(new Key(party.space(), party.name()));
+    }
+
+    private Counter counter(Key key) {
         Counter known = counters.get(key);
         return known == null ? newCounter(key) : known;
     }
 
-    private synchronized Counter newCounter(Party key) {
+    private synchronized Counter newCounter(Key key) {
         boolean isFull = counters.size() >= MOST_NODES && !key.name().equals(OTHERS);
         return isFull
-                ? counter(new Party(key.space(), OTHERS, 0))
+                ? counter(new Key(key.space(), OTHERS))
                 : counters.computeIfAbsent(key, each -> {
                     var made = new Counter(this, each);
                     inOrder.add(made);
@@ -200,6 +203,9 @@ public final class CallGraph implements CallObserver {
         });
     }
 
+    /** What counts as one node: also actors of one name in spaces of one name. */
+    private record Key(String space, String name) {}
+
     private record Link(Counter from, Counter to, LongAdder calls, LongAdder results) {
         Link(Counter from, Counter to) {
             this(from, to, new LongAdder(), new LongAdder());
@@ -211,7 +217,7 @@ public final class CallGraph implements CallObserver {
         static final long IDLE = Long.MIN_VALUE;
 
         private final CallGraph graph;
-        private final Party key;
+        private final Key key;
         private final Map<Counter, Link> senders = new ConcurrentHashMap<>();
         private final LongAdder received = new LongAdder();
         private final LongAdder taken = new LongAdder();
@@ -221,7 +227,7 @@ public final class CallGraph implements CallObserver {
         private final AtomicLong longestNanos = new AtomicLong();
         private final AtomicLong begunNanos = new AtomicLong(IDLE); // of the turn that is running
 
-        Counter(CallGraph graph, Party key) {
+        Counter(CallGraph graph, Key key) {
             this.graph = graph;
             this.key = key;
         }

@@ -31,19 +31,25 @@ import org.jspecify.annotations.Nullable;
  */
 public interface CallObserver {
     /**
-     * A caller or a receiver.
-     *
-     * @param space the name of its space; empty for threads that belong to none
-     * @param name of an actor as in {@link ActorSettings}, or the simple name of its type; or {@link CallGraph#OUTSIDE}
-     *     or {@link CallGraph#TASKS}
-     * @param number of an actor without a name, which no other actor of its space has; otherwise 0
+     * A caller or a receiver; equal for all events of one space that have this name and number. Those of two spaces
+     * differ, also if the spaces have one name.
      */
-    record Party(String space, String name, int number) {
+    interface Party {
+        /** The name of its space; empty for threads that belong to none. */
+        String space();
+
+        /**
+         * Of an actor as in {@link ActorSettings}, or the simple name of its type; or {@link CallGraph#OUTSIDE} or
+         * {@link CallGraph#TASKS}.
+         */
+        String name();
+
+        /** Of an actor without a name, which no other actor of its space has; otherwise 0. */
+        int number();
+
         /** The name; of an actor without a name, as in other texts, with its number: {@code Counter#2}. */
         @Override
-        public String toString() {
-            return number == 0 ? name : name + "#" + number;
-        }
+        String toString();
     }
 
     /** A call of an actor; equal for all events of one call. */
@@ -81,7 +87,7 @@ public interface CallObserver {
     /** A message or a request is sent. It may still be refused by a full mailbox. */
     default void called(Party from, Party to, Call call) {}
 
-    /** The actor begins a call. */
+    /** The actor begins a call; what it does then {@linkplain #servedCall serves} this same object. */
     default void begun(Party actor, Call call) {}
 
     /** A call has left the mailbox, and will not begin: it was refused or cancelled, or the actor has stopped. */

@@ -14,9 +14,21 @@ import org.jspecify.annotations.Nullable;
 
 /** Passes the calls of a space to its observer. From any thread. */
 final class ObservedCalls {
-    private static final CallObserver.Party OUTSIDE = new CallObserver.Party("", CallGraph.OUTSIDE, 0);
+    private static final CallObserver.Party OUTSIDE = new ObservedParty("", "", CallGraph.OUTSIDE, 0);
 
     private ObservedCalls() {}
+
+    /** @param spaceKey that no other space has, and which holds no space in memory */
+    private record ObservedParty(Object spaceKey, String space, String name, int number) implements CallObserver.Party {
+        static ObservedParty of(Home space, String name, int number) {
+            return new ObservedParty(((SpaceHome) space).key, space.toString(), name, number);
+        }
+
+        @Override
+        public String toString() {
+            return number == 0 ? name : name + "#" + number;
+        }
+    }
 
     record ObservedCall(ActorCell actor, QueueEntry node) implements CallObserver.Call {
         @Override
@@ -75,8 +87,8 @@ final class ObservedCalls {
                         new ObservedCall(actor, call)));
     }
 
-    static void begun(CallObserver observer, ActorCell actor, QueueEntry call) {
-        guard(actor.space(), () -> observer.begun(party(actor), new ObservedCall(actor, call)));
+    static void begun(CallObserver observer, ObservedCall call) {
+        guard(call.actor().space(), () -> observer.begun(party(call.actor()), call));
     }
 
     static void dropped(CallObserver observer, ActorCell actor, QueueEntry call) {
@@ -192,10 +204,10 @@ final class ObservedCalls {
     private static CallObserver.Party party(TurnOwner owner) {
         return owner instanceof Incarnation life
                 ? party(life.cell())
-                : new CallObserver.Party(owner.home().toString(), CallGraph.TASKS, 0);
+                : ObservedParty.of(owner.home(), CallGraph.TASKS, 0);
     }
 
     private static CallObserver.Party party(ActorCell actor) {
-        return new CallObserver.Party(actor.space().toString(), actor.label(), actor.unnamedNumber());
+        return ObservedParty.of(actor.space(), actor.label(), actor.unnamedNumber());
     }
 }

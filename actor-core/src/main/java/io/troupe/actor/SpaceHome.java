@@ -37,6 +37,7 @@ final class SpaceHome extends Home {
 
     int handlers; // those that run for this space on other threads than its own: see HandlerTurn
 
+    final Object key = new Object(); // tells observers apart two spaces of one name
     final SpaceSettings settings;
     final Dispatcher dispatcher;
     final Closing closing;

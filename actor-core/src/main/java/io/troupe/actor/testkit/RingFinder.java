@@ -5,6 +5,7 @@ import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.CallObserver;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -50,11 +51,16 @@ import org.jspecify.annotations.Nullable;
 public final class RingFinder implements CallObserver {
     /** What was seen of a ring. */
     public enum Kind {
-        /** Its calls wait for each other, and nothing happens any more; or they did until a time limit was over. */
+        /**
+         * Its calls wait for each other, and nothing happens any more; or an actor of it held its calls back until
+         * another one gave up, by a time limit or a cancellation.
+         */
         BLOCKED,
         /**
          * Each actor of it was seen to hold its calls until the next one had answered. That was at different times, so
-         * nothing has blocked yet.
+         * nothing has blocked yet. What an actor waits for is judged by the call that it serves: each call is counted
+         * that it makes on behalf of that one while it holds its calls; if there is none, those that it has made
+         * before.
          */
         POSSIBLE,
         /** The actor took the call, and answered it, while it served the one that waited for it. */
@@ -126,13 +132,34 @@ public final class RingFinder implements CallObserver {
             return to + "." + method;
         }
 
-        /** The actor that has made the call, also if a connection has passed it on. */
-        Party caller() {
+        /** The call that an actor has made; this one, or that which a connection has passed on as this one. */
+        Open made() {
             Open made = this;
             while (made.cause != null && made.cause.isPassedOn && made.cause.to.equals(made.from)) {
                 made = made.cause;
             }
-            return made.from;
+            return made;
+        }
+
+        Party caller() {
+            return made().from;
+        }
+    }
+
+    /** An actor holds its calls. */
+    private static final class Hold {
+        final @Nullable Open served; // by the actor, when it began to hold its calls
+        final long number; // of the first call after that
+        final Map<Held, Wait> before = new LinkedHashMap<>(); // calls from before, which were answered meanwhile
+        boolean hasCalls; // of its own
+
+        Hold(@Nullable Open served, long number) {
+            this.served = served;
+            this.number = number;
+        }
+
+        boolean isFor(Open call) {
+            return call.cause == served;
         }
     }
 
@@ -152,7 +179,7 @@ public final class RingFinder implements CallObserver {
 
     private final Map<Call, Open> open = new LinkedHashMap<>(); // guarded by this, as is all that follows
     private final List<Nested> nested = new ArrayList<>();
-    private final Set<Party> holding = new HashSet<>();
+    private final Map<Party, Hold> holding = new HashMap<>();
     private final Map<Held, Wait> held = new LinkedHashMap<>();
     private final Set<Ring> found = new LinkedHashSet<>();
     private long calls;
@@ -168,14 +195,22 @@ public final class RingFinder implements CallObserver {
             return;
         }
         synchronized (this) {
-            Call served = CallObserver.servedCall();
-            var made = new Open(from, to, call, calls++, served == null ? null : open.get(served));
+            var made = new Open(from, to, call, calls++, served());
             open.put(call, made);
+            Hold hold = holding.get(from);
+            if (hold != null && hold.isFor(made)) {
+                hold.hasCalls = true;
+            }
             if (!made.isPassedOn) {
                 noteNested(made);
             }
         }
         call.whenSettled(error -> settled(call, error));
+    }
+
+    private @Nullable Open served() {
+        Call served = CallObserver.servedCall();
+        return served == null ? null : open.get(served);
     }
 
     private void noteNested(Open inner) {
@@ -201,12 +236,15 @@ public final class RingFinder implements CallObserver {
 
     @Override
     public synchronized void held(Party actor) {
-        holding.add(actor);
+        holding.put(actor, new Hold(served(), calls));
     }
 
     @Override
     public synchronized void released(Party actor) {
-        holding.remove(actor);
+        Hold hold = holding.remove(actor);
+        if (hold != null && !hold.hasCalls) {
+            hold.before.forEach(held::putIfAbsent);
+        }
     }
 
     private synchronized void settled(Call call, @Nullable Throwable error) {
@@ -219,9 +257,8 @@ public final class RingFinder implements CallObserver {
         }
         open.remove(call);
         over.over = true;
-        Party caller = over.caller();
-        if (holding.contains(caller) && !over.isPassedOn && over.begun) {
-            held.putIfAbsent(new Held(caller, over.to), wait(caller, over, ", and holds its calls meanwhile"));
+        if (!over.isPassedOn && over.begun) {
+            noteHeld(over);
         }
         boolean isGivenUp = error instanceof TimeoutException || error instanceof CancellationException;
         nested.removeIf(each -> {
@@ -234,12 +271,24 @@ public final class RingFinder implements CallObserver {
         over.cause = null;
     }
 
+    /** Notes that a caller has got its answer while it holds its calls. */
+    private void noteHeld(Open over) {
+        Open made = over.made();
+        Hold hold = holding.get(made.from);
+        if (hold != null && hold.isFor(made)) {
+            (made.number < hold.number ? hold.before : held)
+                    .putIfAbsent(
+                            new Held(made.from, over.to), wait(made.from, over, ", and holds its calls meanwhile"));
+        }
+    }
+
     private void noteEnd(Nested ring, Open over, boolean isGivenUp) {
-        if (isGivenUp && (over != ring.inner() || !over.begun)) {
+        Open inner = ring.inner();
+        if (isGivenUp && !inner.begun && holding.containsKey(inner.to)) {
             note(Kind.BLOCKED, ring.path());
-        } else if (over == ring.inner() && over.begun) {
+        } else if (!isGivenUp && over == inner && over.begun) {
             note(Kind.PASSED, ring.path());
-        } // else the outer call did not wait for the inner one
+        } // else the outer call did not wait for the inner one, or nobody has waited to the end
     }
 
     private void note(Kind kind, List<Open> path) {
@@ -283,7 +332,7 @@ public final class RingFinder implements CallObserver {
     /** The open calls that are settled before this one is. */
     private List<Open> waitsOf(Open call, boolean isSure) {
         if (!call.begun) {
-            return holding.contains(call.to) ? callsOf(open.values(), call.to) : List.of();
+            return holding.containsKey(call.to) ? callsOf(open.values(), call.to) : List.of();
         }
         var own = open.values().stream().filter(made -> made.cause == call).toList();
         return own.isEmpty() && !isSure ? callsOf(earlier(call), call.to) : own;

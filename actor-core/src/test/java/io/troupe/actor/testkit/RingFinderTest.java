@@ -12,6 +12,8 @@ import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.testkit.RingFinder.Kind;
 import io.troupe.actor.testkit.RingFinder.Ring;
 import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.List;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -306,5 +308,147 @@ class RingFinderTest {
         rings.idle();
         assertThat(rings.rings()).isEmpty();
         late.resolve(1);
+    }
+
+    /** Asks one without waiting for it, and holds its calls for another one. */
+    private static final class HastyAccount extends CarefulAccount {
+        private final Account bank;
+
+        HastyAccount(Account bank) {
+            this.bank = bank;
+        }
+
+        @Override
+        public Promise<Integer> pay(Account to, int amount) {
+            to.deposit(amount);
+            return during(bank::content);
+        }
+    }
+
+    @Test
+    void callsThatAHoldDoesNotWaitFor_areNoPossibleRing() {
+        var answers = new ArrayDeque<Deferred<Integer>>();
+        Account bank = account("bank", () -> new PlainAccount() {
+            @Override
+            public Promise<Integer> content() {
+                answers.add(new Deferred<>());
+                return answers.getLast();
+            }
+        });
+        Account one = account("one", () -> new HastyAccount(bank));
+        Account two = account("two", () -> new HastyAccount(bank));
+        for (var from : List.of(one, two)) {
+            Promise<Integer> paid = from.pay(from == one ? two : one, 5);
+            test.runQueued(); // what was paid in has arrived, and the bank has not answered
+            answers.remove().resolve(1);
+            assertThat(test.get(paid)).isEqualTo(1);
+        }
+        rings.idle();
+        rings.check();
+        assertThat(rings.rings()).isEmpty();
+    }
+
+    /** The call comes first, and the hold is for it. */
+    @Test
+    void callsThatAreMadeDirectlyBeforeAHold_areAPossibleRing() {
+        Supplier<Account> holding = () -> new PlainAccount() {
+            @Override
+            Promise<Integer> during(Supplier<Promise<Integer>> call) {
+                Promise<Integer> made = call.get();
+                context().hold();
+                return made.eventually(() -> {
+                    context().release();
+                    return Promise.of(null);
+                });
+            }
+        };
+        Account one = account("one", holding);
+        Account two = account("two", holding);
+        test.get(one.pay(two, 5));
+        test.get(two.pay(one, 5));
+        assertThat(rings.rings()).extracting(Ring::kind).containsExactly(Kind.POSSIBLE);
+    }
+
+    /** A call that is served while the actor holds its calls for another one has its own calls. */
+    @Test
+    void callsOnBehalfOfOtherCalls_areNoPossibleRing() {
+        var answers = new ArrayDeque<Deferred<Integer>>();
+        Account bank = account("bank", () -> new PlainAccount() {
+            @Override
+            public Promise<Integer> content() {
+                answers.add(new Deferred<>());
+                return answers.getLast();
+            }
+        });
+        Supplier<Account> both = () -> new CarefulAccount() {
+            @Override
+            public Promise<Integer> pay(Account to, int amount) {
+                return to.deposit(amount); // without a hold
+            }
+
+            @Override
+            public Promise<Integer> depositAndAsk(Account from, int amount) {
+                return during(bank::content);
+            }
+        };
+        Account one = account("one", both);
+        Account two = account("two", both);
+        for (var from : List.of(one, two)) {
+            Account to = from == one ? two : one;
+            test.run(() -> {
+                from.pay(to, 5);
+                from.depositAndAsk(to, 5);
+            });
+            answers.remove().resolve(1);
+            test.runQueued();
+        }
+        rings.check();
+        assertThat(rings.rings()).isEmpty();
+    }
+
+    @Test
+    void ringWhoseCallerGivesUp_whileTheLastCallIsMerelySlow_hasNotBlocked() {
+        var late = new Deferred<Integer>();
+        Account one = account("one", () -> new PlainAccount() {
+            @Override
+            public Promise<Integer> content() {
+                return late;
+            }
+        });
+        Account two = account("two", PlainAccount::new);
+        Promise<Integer> paid = one.payAndAsk(two, 5);
+        test.runQueued();
+        paid.cancel();
+        test.runQueued();
+        assertThat(rings.rings()).isEmpty();
+        Promise<Integer> limited = one.payAndAsk(two, 5).orTimeout(Duration.ofSeconds(1));
+        test.advance(Duration.ofSeconds(2));
+        test.error(limited);
+        assertThat(rings.rings()).isEmpty();
+        late.resolve(1);
+        test.runQueued();
+        rings.idle();
+        rings.check();
+    }
+
+    @Test
+    void actorsOfTwoSpacesOfOneName_areDifferentActors() {
+        try (var second = new TestSpace(rings)) {
+            Account one = test.spawn(Account.class, PlainAccount::new);
+            Account other = second.spawn(Account.class, PlainAccount::new);
+            Account named = account("account", CarefulAccount::new);
+            Account otherNamed = second.spawn(Account.class, PlainAccount::new, ActorSettings.named("account"));
+            assertThat(one).hasToString(other.toString());
+            for (var pair : List.of(List.of(one, other), List.of(named, otherNamed))) {
+                Promise<Integer> paid = pair.getFirst().pay(pair.getLast(), 5);
+                for (int round = 0; round < 3; round++) {
+                    test.runQueued();
+                    second.runQueued();
+                }
+                assertThat(test.get(paid)).isPositive();
+            }
+            rings.idle();
+            assertThat(rings.rings()).isEmpty();
+        }
     }
 }
