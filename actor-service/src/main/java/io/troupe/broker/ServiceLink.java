@@ -1,7 +1,6 @@
 package io.troupe.broker;
 
 import io.troupe.actor.Actor;
-import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.Callback;
 import io.troupe.actor.Deferred;
@@ -10,6 +9,7 @@ import io.troupe.actor.Request;
 import io.troupe.actor.Timer;
 import io.troupe.actor.internal.Forwarder;
 import io.troupe.actor.internal.Message;
+import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.QueueEntry;
 import io.troupe.bus.BusException;
 import io.troupe.bus.BusTimeoutException;
@@ -22,6 +22,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -159,8 +160,6 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
     }
 
     private void take(PendingCall call) {
-        Duration left = ActorSpace.timeLeft();
-        call.untilNanos = left == null ? Long.MAX_VALUE : nowNanos() + left.toNanos();
         if (mismatch != null) {
             rejectUnsent(call, mismatch);
         } else if (canSend()) {
@@ -169,6 +168,8 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
             rejectUnsent(
                     call, notSent(call, "was rejected: " + waiting.size() + " calls wait already, and " + noProvider));
         } else {
+            var here = Home.current();
+            call.turn = here == null ? null : here.captureContext();
             waiting.put(call.call, call);
             Duration limit = call.isOneWay() ? settings.oneWayLimit() : settings.waitLimit();
             call.limit = context().after(limit, () -> {
@@ -187,19 +188,13 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
         while (canSend() && !waiting.isEmpty()) {
             PendingCall call = waiting.pollFirstEntry().getValue();
             call.cancelLimit();
-            if (call.untilNanos == Long.MAX_VALUE) {
+            Runnable end = call.turn == null ? () -> {} : call.turn.get();
+            try {
                 send(call);
-            } else { // its turn had a time limit, which the provider shares
-                context().space().within(Duration.ofNanos(call.untilNanos - nowNanos()), () -> {
-                    send(call);
-                    return Promise.done();
-                });
+            } finally {
+                end.run();
             }
         }
-    }
-
-    private long nowNanos() {
-        return context().space().clock().nanos();
     }
 
     private void send(PendingCall call) {
@@ -352,7 +347,9 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
         Promise<?> sent; // the provider's promise
 
         private boolean cancelled;
-        long untilNanos = Long.MAX_VALUE; // the end of the time limit of its turn, if that had one
+
+        @Nullable
+        Supplier<Runnable> turn; // what its turn carries, such as a time limit, for a call that waits; null: nothing
 
         @Nullable
         Timer limit;

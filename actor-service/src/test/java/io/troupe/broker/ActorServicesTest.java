@@ -4,14 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Promise;
+import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.Supervision;
+import io.troupe.actor.TurnContext;
 import io.troupe.actor.testkit.TestSpace;
 import java.lang.ref.WeakReference;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -500,5 +504,45 @@ class ActorServicesTest extends BrokerBench {
 
     private static long count(List<WeakReference<Need>> references) {
         return references.stream().filter(each -> each.get() != null).count();
+    }
+
+    /** As one that is passed on at once. */
+    @Test
+    void callThatWaits_isSentInTheContextOfItsCaller() {
+        var user = new AtomicReference<@Nullable String>();
+        var hook = new TurnContext<String>() {
+            @Override
+            public @Nullable String capture() {
+                return user.get();
+            }
+
+            @Override
+            public Runnable restore(String captured) {
+                String before = user.getAndSet(captured);
+                return () -> user.set(before);
+            }
+        };
+        var users = new ArrayList<@Nullable String>();
+        try (var own =
+                ActorSpace.create(SpaceSettings.named("own").withContext(hook).withoutThread())) {
+            ActorServices ours = Broker.open(own, BrokerSettings.defaults().withObserver(event -> {}))
+                    .services();
+            Bell bell =
+                    ours.connect(Bell.class, Need.ofService("robot 1", "bell")).actor();
+            own.runQueued();
+            for (var name : List.of("ann", "bob")) {
+                user.set(name);
+                bell.ring();
+                user.set(null);
+                own.runQueued();
+            }
+            ours.publish(own, Bell.class, "bell", List.of(), () -> () -> users.add(user.get()));
+            own.runQueued();
+        }
+        assertThat(users).containsExactly("ann", "bob");
+    }
+
+    interface Bell {
+        void ring();
     }
 }

@@ -10,12 +10,14 @@ import io.troupe.actor.testkit.TestSpace;
 import io.troupe.broker.ActorServices;
 import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
+import io.troupe.broker.ConnectionSettings;
 import io.troupe.broker.Need;
 import io.troupe.petri.wiring.WiringCheck;
 import io.troupe.petri.wiring.WiringMonitor;
 import io.troupe.petri.wiring.WiringObserver;
 import io.troupe.petri.wiring.WiringRecorder;
 import io.troupe.petri.wiring.WiringResult;
+import java.time.Duration;
 import java.util.List;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
@@ -136,5 +138,62 @@ class RecordedServicesTest {
                         test-space/shop is called while it waits for that call: a ring that blocks test-space/shop, test-space/bank
                           - test-space/shop serves buy, which waits for test-space/bank.pay
                           - test-space/bank serves pay, which waits for test-space/shop.price, which that has not begun: it holds its calls""");
+    }
+
+    private static final List<String> BANK_CALLERS = List.of("one", "two");
+
+    /** Calls of two actors, which a connection holds back; the first is given up when the provider comes. */
+    private static void heldCalls(TestSpace test, boolean isFirstGivenUp) {
+        Broker broker = Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {}));
+        ActorServices services = broker.services();
+        Bank bank = services.connect(
+                        Bank.class,
+                        Need.ofService("customers", "bank"),
+                        ConnectionSettings.defaults().withWaitLimit(Duration.ofSeconds(3)))
+                .actor();
+        test.runQueued();
+        for (String name : BANK_CALLERS) {
+            test.spawn(Customer.class, () -> () -> bank.pay("lamp"), ActorSettings.named(name))
+                    .shop();
+            test.runQueued();
+            if (isFirstGivenUp && name.equals("one")) {
+                test.advance(Duration.ofSeconds(4));
+            }
+        }
+        services.publish(test.space(), Bank.class, "bank", List.of(), () -> what -> Promise.of("paid"));
+        test.advance(Duration.ofSeconds(2));
+        test.takeProblems();
+        test.takeDeadLetters();
+        test.space().close();
+    }
+
+    @Test
+    void callsThatAConnectionHasHeldBack_areThoseOfTheirCallers() {
+        var both = new WiringRecorder("street");
+        heldCalls(new TestSpace(both), false);
+        assertThat(both.wiring().components()).containsExactly("bank", "one", "two");
+        var second = new WiringRecorder("street");
+        heldCalls(new TestSpace(second), true);
+        assertThat(second.wiring().components()).containsExactly("bank", "two");
+    }
+
+    @Test
+    void ringThroughAConnectionThatHeldACallBack_isFound() {
+        var rings = new RingFinder();
+        var test = new TestSpace(rings);
+        Broker broker = Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {}));
+        ActorServices services = broker.services();
+        test.get(services.publish(test.space(), Shop.class, "shop", List.of(), () -> new BusyShop(services)));
+        Shop connected =
+                services.connect(Shop.class, Need.ofService("customer", "shop")).actor();
+        connected.buy("lamp");
+        test.runQueued(); // the shop waits for a bank
+        services.publish(test.space(), Bank.class, "bank", List.of(), () -> new AskingBank(services));
+        test.runQueued();
+        rings.idle();
+        test.takeProblems();
+        test.takeDeadLetters();
+        test.space().close();
+        assertThat(rings.rings()).extracting(RingFinder.Ring::kind).containsExactly(RingFinder.Kind.BLOCKED);
     }
 }

@@ -4,11 +4,9 @@ import io.troupe.actor.CallGraph;
 import io.troupe.actor.CallObserver;
 import io.troupe.actor.CallObserver.Call;
 import io.troupe.actor.CallObserver.Party;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.Optional;
+import java.util.WeakHashMap;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
@@ -25,10 +23,9 @@ final class ActorNames {
     private final Predicate<String> isComponent;
     private final Map<Party, String> names = new HashMap<>();
     private final Map<String, Integer> counts = new HashMap<>();
-    private final Map<Party, Deque<Passing>> connections = new HashMap<>();
-
-    /** A call to a connection, which that has not passed on yet. */
-    private record Passing(Call call, Party caller) {}
+    private final Map<Call, Party> queued = new HashMap<>(); // the callers of calls to connections
+    private final Map<Call, Party> passing =
+            new WeakHashMap<>(); // of begun ones: as long as the connection may pass them on
 
     ActorNames(Predicate<String> isComponent) {
         this.isComponent = isComponent;
@@ -57,24 +54,31 @@ final class ActorNames {
     }
 
     /** Notes a call to a connection. */
-    void passing(Party from, Party connection, Call call) {
-        connections.computeIfAbsent(connection, each -> new ArrayDeque<>()).add(new Passing(call, from));
+    void passing(Party from, Call call) {
+        queued.put(call, caller(from));
     }
 
-    /** Who makes a call, in truth: if a connection does, it is the actor whose call this is. */
-    Party caller(Party from, Call call) {
-        var passing = connections.get(from);
-        if (passing == null) {
-            return from;
+    /** A connection may have begun a call; this object of it is the {@linkplain CallObserver#servedCall served} one. */
+    void begun(Call call) {
+        Party caller = queued.remove(call);
+        if (caller != null) {
+            passing.put(call, caller);
         }
+    }
+
+    /** A call does not begin. */
+    void dropped(Call call) {
+        queued.remove(call);
+    }
+
+    /** Who makes the call that is made now, in truth: if a connection does, it is the actor whose call this is. */
+    Party caller(Party from) {
         @Nullable Call served = CallObserver.servedCall();
-        Optional<Passing> mine = passing.stream()
-                .filter(each -> each.call().equals(served))
-                .findFirst()
-                .or(() -> passing.stream()
-                        .filter(each -> each.call().method().equals(call.method()))
-                        .findFirst());
-        mine.ifPresent(passing::remove);
-        return mine.map(each -> caller(each.caller(), each.call())).orElse(from);
+        return served == null || !served.isPassedOn() ? from : passing.getOrDefault(served, from);
+    }
+
+    /** How many calls to connections are noted. */
+    int notes() {
+        return queued.size() + passing.size();
     }
 }

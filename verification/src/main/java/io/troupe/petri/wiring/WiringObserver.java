@@ -145,13 +145,13 @@ public final class WiringObserver implements CallObserver {
     private Optional<Followed> byName(Party from, Party to, Call call) {
         synchronized (monitor) {
             if (call.isPassedOn()) {
-                names.passing(from, to, call);
+                names.passing(from, call);
                 return Optional.empty();
             }
             if (ActorNames.isOfTheBroker(call)) {
                 return Optional.empty();
             }
-            Party caller = names.caller(from, call);
+            Party caller = names.caller(from);
             String target = names.of(to) + "." + call.method();
             if (ActorNames.isActor(caller) && wiring.components().contains(names.of(caller))) {
                 return Optional.of(Followed.of(names.of(caller), target));
@@ -187,6 +187,7 @@ public final class WiringObserver implements CallObserver {
     private void beginsFromOutside(Call call) {
         String component;
         synchronized (monitor) {
+            names.begun(call);
             component = outside.remove(call);
         }
         if (component != null) {
@@ -231,6 +232,7 @@ public final class WiringObserver implements CallObserver {
     public void dropped(Party actor, Call call) {
         synchronized (monitor) {
             outside.remove(call);
+            names.dropped(call);
             if (!call.isRequest()) { // which is never settled
                 queued.remove(call);
             }

@@ -104,14 +104,14 @@ public final class WiringRecorder implements CallObserver {
             var served = Optional.ofNullable(CallObserver.servedCall()).map(open::get);
             if (translation == null) {
                 if (call.isPassedOn()) {
-                    names.passing(from, to, call);
+                    names.passing(from, call);
                     open.put(
                             call,
                             new Asked(-1, false, "", served.map(this::served).orElse(-1), false));
                     return;
                 }
                 if (!ActorNames.isOfTheBroker(call)) {
-                    Party caller = names.caller(from, call);
+                    Party caller = names.caller(from);
                     followed = Optional.of(WiringObserver.Followed.of(
                             ActorNames.isActor(caller) ? names.of(caller) : "", names.of(to) + "." + call.method()));
                 }
@@ -150,6 +150,7 @@ public final class WiringRecorder implements CallObserver {
 
     @Override
     public synchronized void begun(Party actor, Call call) {
+        names.begun(call);
         Asked asked = open.get(call);
         if (asked != null && asked.number() >= 0) {
             open.put(call, asked.begun());
@@ -158,6 +159,11 @@ public final class WiringRecorder implements CallObserver {
                 add(new Fact.Settled(asked.number(), false));
             }
         }
+    }
+
+    @Override
+    public synchronized void dropped(Party actor, Call call) {
+        names.dropped(call);
     }
 
     private synchronized void settled(Call call, @Nullable Throwable error) {
