@@ -3,6 +3,7 @@ package io.troupe.petri.testkit;
 import static java.util.Objects.requireNonNull;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.CallObserver;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.testkit.RingFinder;
@@ -41,7 +42,9 @@ import org.junit.jupiter.api.extension.ExtensionContext;
  *
  * <p>Actors are followed in the spaces of this extension, which the end of the test closes: {@link #testSpace}, and
  * {@link #space} for a space with a thread. Spaces that the test makes and closes itself are followed by
- * {@link #observer}; what is still open at their end is not judged, except that a ring has blocked.
+ * {@link #observer}; what is still open at their end is not judged, except that a ring has blocked. Nor is it in the
+ * spaces of this extension as long as a timer is set in one of them, because something happens yet: advance the clock
+ * until what the test has begun is done.
  *
  * <p><b>Role.</b> For tests whose class path has JUnit 5 and {@code troupe-actor-core}. What is found without a
  * declaration is described in {@link RingFinder}; how calls are compared with one, in {@link WiringObserver}.
@@ -135,7 +138,10 @@ public final class FollowedActors implements BeforeEachCallback, AfterEachCallba
         return now.testSpace;
     }
 
-    /** Creates a space with these settings. At the end of the test it has to come to rest, and is closed. */
+    /**
+     * Creates a space with these settings. At the end of the test it has to come to rest, and is closed; a test may
+     * also close it before.
+     */
     public ActorSpace space(SpaceSettings settings) {
         CallObserver other = settings.callObserver();
         var space =
@@ -168,27 +174,38 @@ public final class FollowedActors implements BeforeEachCallback, AfterEachCallba
 
     /** For JUnit. */
     @Override
-    public void afterEach(ExtensionContext context) throws InterruptedException {
-        if (comesToRest()) {
-            now.rings.idle();
-            now.monitor.ifPresent(WiringMonitor::idle);
-        }
-        now.monitor.ifPresent(WiringMonitor::end);
+    public void afterEach(ExtensionContext context) {
         var failures = new ArrayList<Throwable>();
+        attempt(failures, () -> {
+            if (comesToRest() && !hasTimers()) {
+                now.rings.idle();
+                now.monitor.ifPresent(WiringMonitor::idle);
+            }
+        });
+        attempt(failures, () -> now.monitor.ifPresent(WiringMonitor::end));
+        var closing = new ArrayList<Throwable>(); // which also shows rings that were cut
+        if (now.testSpace != null) {
+            attempt(closing, now.testSpace::close);
+        }
+        now.spaces.forEach(space -> attempt(closing, space::close));
         attempt(failures, () -> now.monitor.ifPresent(WiringMonitor::check));
         attempt(failures, now.rings::check);
-        if (now.testSpace != null) {
-            attempt(failures, now.testSpace::close);
-        }
-        now.spaces.forEach(space -> attempt(failures, space::close));
+        failures.addAll(closing);
         if (!failures.isEmpty()) {
+            if (failures.stream().anyMatch(InterruptedException.class::isInstance)) {
+                Thread.currentThread().interrupt();
+            }
             var first = failures.removeFirst();
             failures.forEach(first::addSuppressed);
             FollowedActors.<RuntimeException>rethrow(first);
         }
     }
 
-    private static void attempt(List<Throwable> failures, Runnable step) {
+    private interface Attempt {
+        void run() throws InterruptedException;
+    }
+
+    private static void attempt(List<Throwable> failures, Attempt step) {
         try {
             step.run();
         } catch (Throwable failure) { // of a test: all of them are reported
@@ -201,24 +218,55 @@ public final class FollowedActors implements BeforeEachCallback, AfterEachCallba
         throw (E) failure;
     }
 
-    /** Lets the spaces run until they have nothing to do; false if they always have. */
+    /** Lets the spaces run until they have nothing to do. */
     private boolean comesToRest() throws InterruptedException {
         for (int round = 0; round < MAX_ROUNDS; round++) {
             long before = now.events.get();
-            if (now.testSpace != null) {
+            if (now.testSpace != null && isOpen(now.testSpace.space())) {
                 now.testSpace.runQueued();
             }
             for (var space : now.spaces) {
-                var idle = new CountDownLatch(1);
-                space.onIdle(idle::countDown);
-                if (!idle.await(IDLE_WITHIN_SECONDS, TimeUnit.SECONDS)) {
-                    return false;
+                if (isOpen(space)) {
+                    letRest(space);
                 }
             }
             if (now.events.get() == before) {
                 return true;
             }
         }
-        return false;
+        throw new AssertionError("actors of " + allSpaces() + " still call each other after " + MAX_ROUNDS
+                + " rounds, expected them to come to rest");
+    }
+
+    private static boolean isOpen(ActorSpace space) {
+        return !space.whenClosed().toCompletableFuture().isDone();
+    }
+
+    private static void letRest(ActorSpace space) throws InterruptedException {
+        var idle = new CountDownLatch(1);
+        try {
+            space.onIdle(idle::countDown);
+        } catch (ActorStoppedException closed) {
+            return; // by the test, or one of its actors
+        }
+        space.whenClosed().thenRun(idle::countDown);
+        if (!idle.await(IDLE_WITHIN_SECONDS, TimeUnit.SECONDS)) {
+            throw new AssertionError("space " + space + " still has something to do " + IDLE_WITHIN_SECONDS
+                    + " s after the test, expected it to come to rest");
+        }
+    }
+
+    private List<ActorSpace> allSpaces() {
+        var all = new ArrayList<>(now.spaces);
+        if (now.testSpace != null) {
+            all.addFirst(now.testSpace.space());
+        }
+        return all;
+    }
+
+    /** Something happens yet when their time has come. */
+    private boolean hasTimers() {
+        return allSpaces().stream()
+                .anyMatch(space -> isOpen(space) && space.metrics().timers() > 0);
     }
 }

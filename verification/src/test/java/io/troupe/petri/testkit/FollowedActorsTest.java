@@ -8,7 +8,9 @@ import static org.assertj.core.api.Assertions.catchThrowable;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Deferred;
+import io.troupe.actor.ManualClock;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.testkit.RingFinder;
@@ -18,6 +20,7 @@ import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringMonitor.ViolationException;
 import java.lang.reflect.Proxy;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtensionContext;
@@ -191,5 +194,113 @@ class FollowedActorsTest {
     @Test
     void monitorWithoutAWiring_isRefused() {
         assertThatThrownBy(actors::monitor).hasMessageContaining("expected FollowedActors.through(wiring)");
+    }
+
+    /** Answers after a second. */
+    private static final class SlowShop extends CornerShop {
+        SlowShop(Bank bank) {
+            super(bank);
+        }
+
+        @Override
+        public Promise<Integer> price(String what) {
+            return context().space().delay(Duration.ofSeconds(1)).thenApply(none -> 5);
+        }
+    }
+
+    @Test
+    void whatATimerWillAnswer_isNotBlocked() {
+        assertThat(ended(FollowedActors.forRings(), followed -> {
+                    var test = followed.testSpace();
+                    Bank bank = test.spawn(Bank.class, SmallBank::new, ActorSettings.named("bank"));
+                    test.spawn(Shop.class, () -> new SlowShop(bank), ActorSettings.named("shop"))
+                            .buy("lamp");
+                }))
+                .isNull();
+        var clock = new ManualClock();
+        assertThat(ended(FollowedActors.through(wiring()), followed -> {
+                    var space = followed.space(SpaceSettings.named("street").withClock(clock));
+                    Bank bank = space.spawn(Bank.class, () -> new SlowBank(space), ActorSettings.named("bank"));
+                    space.spawn(Shop.class, () -> new CornerShop(bank), ActorSettings.named("shop"))
+                            .buy("lamp");
+                }))
+                .isNull();
+    }
+
+    private record SlowBank(ActorSpace space) implements Bank {
+        @Override
+        public Promise<String> pay(Shop shop, int amount) {
+            return space.delay(Duration.ofSeconds(1)).thenApply(none -> "paid");
+        }
+    }
+
+    /** An alarm is set that has nothing to do with the ring. */
+    @Test
+    void ringOfAnActorThatHoldsItsCalls_isFoundWhateverTimersAreSet() {
+        assertThat(ended(FollowedActors.forRings(), followed -> {
+                    followed.testSpace().space().delay(Duration.ofHours(1));
+                    sell(followed);
+                }))
+                .hasMessage(RING);
+    }
+
+    @Test
+    void spaceThatTheTestHasClosed_endsNothingElse() {
+        var open = new ArrayList<ActorSpace>();
+        var failure = ended(FollowedActors.forRings(), followed -> {
+            try (var closed = followed.space(SpaceSettings.named("closed"))) {
+                assertThat(closed.isQuiet()).isTrue();
+            }
+            open.add(followed.space(SpaceSettings.named("open")));
+            sell(followed);
+        });
+        assertThat(failure).hasMessage(RING);
+        assertThat(open.getFirst().whenClosed().isDone()).isTrue();
+        var other = ended(FollowedActors.forRings(), followed -> {
+            sell(followed);
+            followed.testSpace().runQueued();
+            followed.testSpace().close();
+            open.add(followed.space(SpaceSettings.named("open")));
+        });
+        assertThat(other).hasMessage(RING);
+        assertThat(open.getLast().whenClosed().isDone()).isTrue();
+    }
+
+    @Test
+    void interruptedTest_isCheckedAndClosed_andStaysInterrupted() {
+        var open = new ArrayList<ActorSpace>();
+        var failure = ended(FollowedActors.forRings(), followed -> {
+            open.add(followed.space(SpaceSettings.named("open")));
+            sell(followed);
+            followed.testSpace().runQueued();
+            Thread.currentThread().interrupt();
+        });
+        assertThat(Thread.interrupted()).isTrue();
+        assertThat(failure).isInstanceOf(InterruptedException.class);
+        assertThat(failure.getSuppressed()).anySatisfy(ring -> assertThat(ring).hasMessage(RING));
+        assertThat(open.getFirst().whenClosed().isDone()).isTrue();
+    }
+
+    interface Player {
+        void play(Player back);
+    }
+
+    private static final class TennisPlayer extends Actor implements Player {
+        @Override
+        public void play(Player back) {
+            back.play(self());
+        }
+    }
+
+    @Test
+    void spacesThatNeverComeToRest_failTheTest() {
+        var failure = ended(FollowedActors.forRings(), followed -> {
+            var space = followed.space(SpaceSettings.named("court"));
+            Player far = space.spawn(Player.class, TennisPlayer::new);
+            followed.testSpace().spawn(Player.class, TennisPlayer::new).play(far);
+        });
+        assertThat(failure)
+                .isInstanceOf(AssertionError.class)
+                .hasMessageContaining("still call each other after 1000 rounds, expected them to come to rest");
     }
 }
