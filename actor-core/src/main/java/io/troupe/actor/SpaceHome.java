@@ -37,7 +37,7 @@ final class SpaceHome extends Home {
 
     int handlers; // those that run for this space on other threads than its own: see HandlerTurn
 
-    final Object key = new Object(); // tells observers apart two spaces of one name
+    final Object key = new Object(); // for observers: two spaces may have one name
     final SpaceSettings settings;
     final Dispatcher dispatcher;
     final Closing closing;

@@ -151,7 +151,7 @@ public final class RingFinder implements CallObserver {
         final @Nullable Open served; // by the actor, when it began to hold its calls
         final long number; // of the first call after that
         final Map<Held, Wait> before = new LinkedHashMap<>(); // calls from before, which were answered meanwhile
-        boolean hasCalls; // of its own
+        boolean hasCalls; // made since, on behalf of the same call
 
         Hold(@Nullable Open served, long number) {
             this.served = served;
@@ -288,7 +288,7 @@ public final class RingFinder implements CallObserver {
             note(Kind.BLOCKED, ring.path());
         } else if (!isGivenUp && over == inner && over.begun) {
             note(Kind.PASSED, ring.path());
-        } // else the outer call did not wait for the inner one, or nobody has waited to the end
+        } // else the outer call did not wait for the inner one, or a caller has not waited to the end
     }
 
     private void note(Kind kind, List<Open> path) {
