@@ -548,8 +548,10 @@ class WiringObserverTest {
 
     // ---- events of other threads, and of calls that never begin
 
-    private static final CallObserver.Party CLIENT = new CallObserver.Party("space", "client", 0);
-    private static final CallObserver.Party SERVER = new CallObserver.Party("space", "server", 0);
+    private record Named(String space, String name, int number) implements CallObserver.Party {}
+
+    private static final CallObserver.Party CLIENT = new Named("space", "client", 0);
+    private static final CallObserver.Party SERVER = new Named("space", "server", 0);
 
     private static final class OneCall implements CallObserver.Call {
         private final String method;
