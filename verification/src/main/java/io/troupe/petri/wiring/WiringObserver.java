@@ -269,11 +269,29 @@ public final class WiringObserver implements CallObserver {
 
     /** Whether a call that begins now is rejected if it is settled with an error. */
     private boolean isRejectedByAnError(Followed followed) {
-        return !followed.isAnsweredAtOnce()
-                && followed.failed() == null
-                && monitor.allows(Kind.REJECTED, followed.caller(), followed.target())
-                && !(wiring.protocol(component(followed)).answersLater(method(followed))
-                        && monitor.allows(Kind.TAKEN, followed.caller(), followed.target()));
+        if (followed.isAnsweredAtOnce() || followed.failed() != null || !ofProvider(followed, Step.Rejects.class)) {
+            return false;
+        }
+        boolean isAccepted = ofProvider(followed, Step.Accepts.class)
+                && monitor.allows(Kind.TAKEN, followed.caller(), followed.target());
+        return !isAccepted && monitor.allows(Kind.REJECTED, followed.caller(), followed.target());
+    }
+
+    /** Whether the component has such a step for this call. */
+    private boolean ofProvider(Followed followed, Class<? extends Step> kind) {
+        String component = component(followed);
+        return wiring.components().contains(component)
+                && wiring.protocol(component)
+                        .steps(kind)
+                        .anyMatch(step -> callOf(step).equals(method(followed)));
+    }
+
+    private static String callOf(Step step) {
+        return switch (step) {
+            case Step.Incoming offer -> offer.call();
+            case Step.Refuses refuses -> refuses.call();
+            default -> "";
+        };
     }
 
     private void settled(Call call, Followed followed, @Nullable Throwable error) {
@@ -292,7 +310,7 @@ public final class WiringObserver implements CallObserver {
             }
             if (error != null && isGivenUp(error) && (!isBegun || mayGiveUp(followed))) {
                 monitor.on(asks(followed) ? Kind.GAVE_UP : Kind.TIMED_OUT, followed.caller(), followed.target());
-            } else if (error != null && (!isBegun || isUndecided || mayRefuse(followed))) {
+            } else if (error != null && (!isBegun || isUndecided || ofProvider(followed, Step.Refuses.class))) {
                 monitor.on(Kind.REJECTED, followed.caller(), followed.target());
                 takes(followed, Kind.GOT_REJECTION);
             } else {
@@ -312,14 +330,6 @@ public final class WiringObserver implements CallObserver {
     private boolean mayGiveUp(Followed followed) {
         return makes(followed, Step.Cancels.class, step -> true)
                 || makes(followed, Step.Requests.class, step -> step.onTimeout().isPresent());
-    }
-
-    private boolean mayRefuse(Followed followed) {
-        String component = component(followed);
-        return wiring.components().contains(component)
-                && wiring.protocol(component)
-                        .steps(Step.Refuses.class)
-                        .anyMatch(step -> step.call().equals(method(followed)));
     }
 
     private void answered(Followed followed) {

@@ -402,6 +402,59 @@ class WiringObserverTest {
                 .startsWith("client asks server.get", "server takes get from client", "server answers get to client");
     }
 
+    /** The server asks the store when its caller has given up, and answers after that. */
+    @Test
+    void callThatIsCancelled_isServedToItsEnd() {
+        var server = Protocol.of("server", Server.class)
+                .state("ready", accepts("get").then("working"))
+                .state("working", requests("store.load").then("loaded"))
+                .state("loaded", answers("get").then("ready"))
+                .build();
+        var wiring = Wiring.of("test")
+                .component(Protocol.of("client")
+                        .state("idle", asks("server.get").then("waiting"))
+                        .state(
+                                "waiting",
+                                answered("server.get").then("idle"),
+                                cancels("server.get").then("idle"))
+                        .build())
+                .component(server)
+                .component(Protocol.of("store", Store.class)
+                        .state("ready", provides("load").then("ready"))
+                        .build())
+                .build();
+        var monitor = WiringMonitor.of(wiring);
+        try (var test = new TestSpace(new WiringObserver(monitor))) {
+            var begun = new Deferred<Integer>();
+            var go = new Deferred<Integer>();
+            Store store = test.spawn(Store.class, () -> () -> Promise.of(1), ActorSettings.named("store"));
+            Server serving = test.spawn(Server.class, () -> new Serving() {
+                @Override
+                public Promise<Integer> get() {
+                    begun.resolve(1);
+                    return go.thenCompose(any -> store.load());
+                }
+            });
+            Client client = test.spawn(Client.class, () -> () -> {
+                var asked = serving.get();
+                begun.then(any -> {
+                    asked.cancel();
+                    go.resolve(1);
+                });
+            });
+            client.go();
+            test.runQueued();
+            client.go();
+            test.runQueued();
+            monitor.idle();
+            test.takeProblems();
+        }
+        monitor.check();
+        assertThat(monitor.count())
+                .as("six events, and the second call is cancelled in the mailbox")
+                .isEqualTo(8);
+    }
+
     // ---- errors
 
     /** Two calls, of which the second is made when the first is settled; of the results, null is an error. */
