@@ -53,7 +53,9 @@ import org.jspecify.annotations.Nullable;
  * does is translated: {@link #WiringObserver(WiringMonitor, Translation)}. The results of streams, and messages that a
  * bounded mailbox refuses, are not seen: report them to the monitor. {@code Promise.orTimeout} settles no request that
  * has begun, so such a time-out is seen only if the caller then cancels the request. A failure ({@code failsTo}) is not
- * told from an error: a translation reports it in place of the answer, by {@link Followed#failed}.
+ * told from an error: a translation reports it in place of the answer, by {@link Followed#failed}. Nor is a provider's
+ * own {@code CancellationException} or {@code TimeoutException} from a caller that has given up, where the caller's
+ * protocol declares that.
  *
  * <p><b>Threads.</b> Any thread; spaces may share one.
  */

@@ -15,6 +15,10 @@ import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.testkit.RingFinder;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.petri.testkit.StreetTest.Bank;
+import io.troupe.petri.testkit.StreetTest.CornerShop;
+import io.troupe.petri.testkit.StreetTest.Shop;
+import io.troupe.petri.testkit.StreetTest.SmallBank;
 import io.troupe.petri.wiring.Protocol;
 import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringMonitor.ViolationException;
@@ -30,41 +34,6 @@ import org.junit.jupiter.api.extension.RegisterExtension;
 class FollowedActorsTest {
     @RegisterExtension
     final FollowedActors actors = FollowedActors.forRings();
-
-    interface Bank {
-        Promise<String> pay(Shop shop, int amount);
-    }
-
-    interface Shop {
-        Promise<String> buy(String what);
-
-        Promise<Integer> price(String what);
-    }
-
-    private static class SmallBank implements Bank {
-        @Override
-        public Promise<String> pay(Shop shop, int amount) {
-            return shop.price("lamp").thenApply(price -> price <= amount ? "paid" : "refused");
-        }
-    }
-
-    private static class CornerShop extends Actor implements Shop {
-        private final Bank bank;
-
-        CornerShop(Bank bank) {
-            this.bank = bank;
-        }
-
-        @Override
-        public Promise<String> buy(String what) {
-            return bank.pay(self(), 5);
-        }
-
-        @Override
-        public Promise<Integer> price(String what) {
-            return Promise.of(5);
-        }
-    }
 
     /** Sells one thing after the other. */
     private static final class BusyShop extends CornerShop {

@@ -30,14 +30,14 @@ class StreetTest {
         Promise<Integer> price(String what);
     }
 
-    private static class SmallBank implements Bank {
+    static final class SmallBank implements Bank {
         @Override
         public Promise<String> pay(Shop shop, int amount) {
             return shop.price("lamp").thenApply(price -> price <= amount ? "paid" : "refused");
         }
     }
 
-    private static class CornerShop extends Actor implements Shop {
+    static class CornerShop extends Actor implements Shop {
         private final Bank bank;
 
         CornerShop(Bank bank) {
